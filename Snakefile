@@ -1,0 +1,27 @@
+"""Nonlinear dynamics of a spur gear pair with tooth contact temperature and dynamic wear."""
+
+import sys
+from pathlib import Path
+
+from snakemake.utils import min_version
+
+min_version("9.0")
+
+sys.path.insert(0, str(Path(workflow.basedir) / "workflow" / "scripts"))
+
+
+configfile: Path(workflow.basedir) / "config" / "config.yaml"
+
+
+include: "workflow/rules/common.smk"
+include: "workflow/rules/state.smk"
+include: "workflow/rules/sweeps.smk"
+include: "workflow/rules/figures.smk"
+
+
+rule all:
+    default_target: True
+    input:
+        states(),
+        figures(),
+        "results/claims.csv",

@@ -1,0 +1,65 @@
+"""The cache of compiled kernels."""
+
+import hashlib
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from gearwear.dynamics import compiled
+
+RUN = """
+import hashlib
+from gearwear.dynamics.motion import strobe
+from gearwear.dynamics.oscillator import Oscillator
+from gearwear.dynamics.periodic import Harmonics
+chaotic = Oscillator(1.4, 0.1, 0.1, Harmonics(1.0, (-0.4,), (0.0,)), Harmonics(0.0, (0.1,), (0.0,)))
+motion = strobe(chaotic, (0.0, 0.0), 300)
+print(hashlib.sha256(b"".join(part.tobytes() for part in motion[:8])).hexdigest())
+"""
+
+
+def test_digest_changes_with_any_source(tmp_path):
+    (tmp_path / "a.py").write_text("x = 1\n")
+    first = compiled.source_digest(tmp_path)
+    (tmp_path / "inner").mkdir()
+    (tmp_path / "inner" / "b.py").write_text("y = 1\n")
+    second = compiled.source_digest(tmp_path)
+    (tmp_path / "inner" / "b.py").write_text("y = 2\n")
+    third = compiled.source_digest(tmp_path)
+    (tmp_path / "notes.txt").write_text("no source\n")
+    assert len({first, second, third}) == 3
+    assert compiled.source_digest(tmp_path) == third
+    assert len(third) == 16
+
+
+def test_folder_is_chosen_in_order(tmp_path):
+    own, users = tmp_path / "own", tmp_path / "users"
+    both = {"GEARWEAR_CACHE": str(own), "XDG_CACHE_HOME": str(users)}
+    assert compiled.cache_folder(both, "abc") == own / "numba" / "abc"
+    assert compiled.cache_folder({"XDG_CACHE_HOME": str(users)}, "abc") == users / "gearwear" / "numba" / "abc"
+    assert (own / "numba" / "abc").is_dir()
+
+
+def test_folder_that_cannot_be_made_is_replaced(tmp_path, monkeypatch):
+    (tmp_path / "file").write_text("")
+    monkeypatch.setattr(compiled.tempfile, "tempdir", str(tmp_path))
+    folder = compiled.cache_folder({"GEARWEAR_CACHE": str(tmp_path / "file")}, "abc")
+    assert folder.is_dir()
+    assert folder == tmp_path / f"gearwear-{os.getuid()}" / "numba" / "abc"
+
+
+def test_cold_and_warm_cache_give_equal_bits(tmp_path):
+    environment = dict(os.environ)
+    environment["GEARWEAR_CACHE"] = str(tmp_path)
+    environment["PYTHONPATH"] = str(Path(compiled.__file__).parents[2])
+    digests, stored = [], []
+    for _ in range(2):
+        finished = subprocess.run(
+            [sys.executable, "-c", RUN], env=environment, capture_output=True, text=True, check=True
+        )
+        digests.append(finished.stdout)
+        files = sorted(tmp_path.rglob("*.nbc"))
+        stored.append([(file.name, hashlib.sha256(file.read_bytes()).hexdigest()) for file in files])
+    assert digests[0] == digests[1]
+    assert stored[0] and stored[0] == stored[1]

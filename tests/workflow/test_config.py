@@ -1,0 +1,313 @@
+"""The configuration files that ship, the files generated from the models, and bad configurations."""
+
+import json
+from pathlib import Path
+
+import jsonschema
+import pytest
+import yaml
+from snakemake.utils import update_config
+
+from gearwear.plumbing.key_types import entry_type, is_section, keys
+from gearwear.plumbing.keytable import SCHEMA_FILE, TABLE_FILE, readers, schema_text, table_text, write
+from gearwear.plumbing.settings import ConfigError, check
+from gearwear.plumbing.slices import STAGES
+from gearwear.plumbing.study_sections import Configuration
+
+ROOT = Path(__file__).resolve().parents[2]
+DROP = object()
+
+
+def load(name):
+    return yaml.safe_load((ROOT / "config" / name).read_text(encoding="utf-8"))
+
+
+def test_the_shipped_studies_are_valid():
+    smoke = load("config.yaml")
+    update_config(smoke, load("smoke.yaml"))
+    assert check(smoke)["cases"]["with"]["running_cycles"] == 300_000_000
+    assert check(load("config.yaml"))["cases"]["with"]["running_cycles"] == 2_100_000_000
+
+
+def test_the_schema_accepts_the_checked_configuration_and_refuses_a_bad_one():
+    schema = json.loads(schema_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    values = check(load("config.yaml"))
+    jsonschema.validate(values, schema)
+    values["gear_pair"]["module"] = -1.0
+    with pytest.raises(jsonschema.ValidationError, match="less than the minimum"):
+        jsonschema.validate(values, schema)
+
+
+def test_the_generated_files_are_up_to_date(tmp_path):
+    write(tmp_path)
+    for file in (SCHEMA_FILE, TABLE_FILE):
+        assert (ROOT / file).read_bytes() == (tmp_path / file).read_bytes(), f"run gearwear.plumbing.keytable: {file}"
+
+
+def test_the_table_follows_the_stages_given():
+    table = table_text(check(load("config.yaml")), {"grinding": ("grid", "case.flash", "sweeps.{sweep}")})
+    stages = {line.split(" | ")[0].strip("| `"): line.split(" | ")[-1].strip("| ") for line in table.splitlines()}
+    assert stages["grid.mesh_cells"] == stages["cases.<case>.flash"] == stages["sweeps.ste.points"] == "grinding"
+    assert stages["sweeps.start"] == stages["wear.law"] == ""
+
+
+def test_every_key_is_read_by_a_stage_or_only_decides_which_files_are_made():
+    for path, field in keys(Configuration):
+        entry = entry_type(field.annotation)
+        if is_section(field.annotation) or is_section(entry):
+            continue
+        targets_only = (field.json_schema_extra or {}).get("decides_targets", False)
+        if not targets_only:
+            assert readers((*path, "<case>") if entry else path, STAGES), ".".join(path)
+
+
+def test_every_key_a_stage_reads_exists():
+    known = [(*path, "<case>") if entry_type(field.annotation) else path for path, field in keys(Configuration)]
+    for stage, wanted in STAGES.items():
+        for key in wanted:
+            assert any(readers(path, {stage: (key,)}) for path in known), (stage, key)
+
+
+BAD = [
+    # unknown keys
+    ("dynamics.dampng_ratio", 0.1, "unknown key (did you mean dynamics.damping_ratio?)"),
+    ("gear_pair.teeth.pinon", 19, "unknown key (did you mean gear_pair.teeth.pinion?)"),
+    ("cases.with.bulk_temprature", 1, "unknown key (did you mean cases.with.bulk_temperature?)"),
+    ("wear.damping_ratio", 0.1, "unknown key (the key of that name is dynamics.damping_ratio)"),
+    (
+        "half_backlash",
+        1e-4,
+        "unknown key (did you mean backlash? the key of that name is backlash.half_backlash)",
+    ),
+    ("operation.dampng_ratio", 0.1, "unknown key (did you mean dynamics.damping_ratio?)"),
+    (
+        "settling.tolerance",
+        1e-9,
+        "unknown key (did you mean settling.recurrence_tolerance? the key of that name is dynamics.tolerance)",
+    ),
+    ("grid.xyz", 1, "unknown key; the keys here are mesh_cells"),
+    # missing keys
+    ("gear_pair.module", DROP, "missing; give a number from 1.0e-4 to 0.1 m"),
+    ("elasticity.law", DROP, "missing; give li, linear, table or constant"),
+    ("grid", DROP, "missing section; give its keys mesh_cells"),
+    ("portraits.ste", DROP, "missing section; give names of cases with their values below it"),
+    # kinds of values
+    ("wear.coefficient", "abc", "text 'abc' is not a number; give a number from 0 to 1.0e-9 m2/N"),
+    ("friction.dry", "0,2", "text '0,2' is not a number; give a number above 0 up to 2"),
+    ("heat.flash_coefficient", True, "true is not a number; give a number from 0 to 2"),
+    ("heat.flash_coefficient", None, "null is not a number; give a number from 0 to 2"),
+    ("heat.flash_coefficient", float("nan"), "nan is not a finite number; give a number from 0 to 2"),
+    (
+        "operation.pinion_torque",
+        float("inf"),
+        "inf is not a finite number; give a number above 0 up to 1.0e+7 N m",
+    ),
+    ("grid.mesh_cells", 80.5, "80.5 is not a whole number; give a whole number from 16 to 20000"),
+    ("grid.mesh_cells", [80], "a list of 1 is not a whole number; give a whole number from 16 to 20000"),
+    ("cases.with.flash", 1, "1 is neither true nor false; give true or false"),
+    ("wear.law", "janakiram", "text 'janakiram' is not a choice of this key; give janakiraman or constant"),
+    ("wear.law", None, "null is not a choice of this key; give janakiraman or constant"),
+    (
+        "dynamics.harmonics",
+        "all",
+        "text 'all' is not a whole number; give a whole number from 1 to 64 or full",
+    ),
+    (
+        "gear_pair.centre_distance",
+        "auto",
+        "text 'auto' is not a number; give a number from 0.001 to 20 m or null",
+    ),
+    ("dynamics.reference_case", 3, "3 is not text; give a name"),
+    ("figures.diagonal", "with", "text 'with' is not a list; give a list of names with 2 to 6 entries"),
+    ("figures.diagonal", ["with"], "a list of 1 is too short; give a list of names with 2 to 6 entries"),
+    ("sweeps.ste.cases", [], "a list of 0 is too short; give a list of names with at least one entry"),
+    ("portraits.ste.with", 1.0, "1.0 is not a list; give a list of numbers"),
+    # sections of the wrong kind
+    ("elasticity", None, "null is not a section; give the keys law and calibration below it"),
+    ("elasticity", 5.3, "5.3 is not a section; give the keys law and calibration below it"),
+    ("portraits.ste", [1], "a list of 1 is not a section; give names of cases with their values below it"),
+    (
+        "cases.with",
+        None,
+        "null is not a section; give the keys bulk_temperature, running_cycles and flash below it",
+    ),
+    # ranges
+    (
+        "gear_pair.module",
+        3.175,
+        "3.175 is above the largest allowed value 0.1 m; give a number from 1.0e-4 to 0.1 m (1 mm is 1.0e-3 m)",
+    ),
+    (
+        "material.gear.youngs_modulus",
+        206,
+        "206.0 is below the least allowed value 1.0e+8 Pa; "
+        "give a number from 1.0e+8 to 1.0e+12 Pa (1 GPa is 1.0e+9 Pa)",
+    ),
+    ("operation.pinion_speed", 0, "0.0 is not above 0 rpm; give a number above 0 up to 200000 rpm"),
+    ("dynamics.damping_ratio", 1, "1.0 is not below 1; give a number from 1.0e-4 to below 1"),
+    (
+        "dynamics.harmonics",
+        65,
+        "65 is above the largest allowed value 64; give a whole number from 1 to 64 or full",
+    ),
+    (
+        "gear_pair.inertia.gear",
+        -1,
+        "-1.0 is not above 0 kg m2; give a number above 0 up to 1.0e+6 kg m2 or null",
+    ),
+    (
+        "cases.with.bulk_temperature",
+        300,
+        "300.0 is above the largest allowed value 250 degC; give a number from -40 to 250 degC",
+    ),
+    # rules between keys
+    (
+        "cases.with.running_cycles",
+        2.05e9,
+        "2.05e+9 is not a whole multiple of wear.cycles_per_update, 1.0e+8; give 2.0e+9 or 2.1e+9",
+    ),
+    (
+        "cases.with.running_cycles",
+        1e11,
+        "1.0e+11 is more than 999 times wear.cycles_per_update, 1.0e+8; "
+        "give at most 9.99e+10, or raise wear.cycles_per_update to 1.00100101e+8 or more",
+    ),
+    (
+        "cases.with.bulk_temperature",
+        10,
+        "10.0 is below heat.initial_temperature, 20.0 degC; give at least that",
+    ),
+    (
+        "cases.figures",
+        {"bulk_temperature": 20, "running_cycles": 0, "flash": False},
+        "the name is taken by a folder of the results; use none of figures, logs, benchmarks and geometry",
+    ),
+    (
+        "cases.Hot",
+        {"bulk_temperature": 20, "running_cycles": 0, "flash": False},
+        "not a case name; use small letters, digits and underscores, a letter first, at most 60 of them",
+    ),
+    ("cases.temperature_only", DROP, "missing case; figures and claims read it, so give it its three keys"),
+    ("dynamics.reference_case", "with", "case with is worn; name a case with running_cycles 0"),
+    ("dynamics.reference_case", "witout", "text 'witout' is no case (did you mean without?)"),
+    (
+        "sweeps.ste.last",
+        0.05,
+        "0.05 is not above sweeps.ste.first, 0.1; exchange them or widen the range",
+    ),
+    (
+        "settling.longest_transient",
+        399,
+        "399 is below settling.transient_periods, 400; give at least that many",
+    ),
+    (
+        "settling.sampled_periods",
+        32,
+        "32 is too few to see settling.largest_period, 16, come back twice; give at least 33 mesh periods",
+    ),
+    ("friction.boundary", 0.3, "0.3 is above friction.dry, 0.2; lower it or raise friction.dry"),
+]
+
+
+@pytest.mark.parametrize(("path", "value", "text"), BAD, ids=[f"{n}-{bad[0]}" for n, bad in enumerate(BAD)])
+def test_a_bad_key_gives_its_message(path, value, text):
+    assert problems({path: value}) == [f"{path}: {text}"]
+
+
+@pytest.mark.parametrize(
+    ("changes", "lines"),
+    [
+        (
+            {"lubricant.viscosity_law": "vogel", "lubricant.dynamic_viscosity_40": 0.005},
+            [
+                "lubricant.dynamic_viscosity_40: 0.005 is not above lubricant.dynamic_viscosity, 0.0094 Pa s; "
+                "exchange them, oil is thicker at 40 degC than at 100 degC"
+            ],
+        ),
+        (
+            {
+                "sweeps.mesh_frequency.cases": ["with", "withot", "with"],
+                "portraits.mesh_frequency.without": [],
+            },
+            [
+                "sweeps.mesh_frequency.cases[1]: text 'withot' is no case (did you mean without?)",
+                "sweeps.mesh_frequency.cases[2]: case with is listed twice; take one out",
+            ],
+        ),
+        (
+            {"figures.diagonal": ["without", "worn"]},
+            [
+                "figures.diagonal[1]: text 'worn' is no case (cases: without, temperature_only, wear_only, "
+                "n0700_t060, n1400_t080 and with)"
+            ],
+        ),
+        (
+            {"portraits.ste.with": [1.0, 3.5, 1.0, "x"]},
+            ["portraits.ste.with[3]: text 'x' is not a number; give a number"],
+        ),
+        (
+            {"portraits.ste.with": [1.0, 3.5, 1.0]},
+            [
+                "portraits.ste.with[1]: 3.5 is outside the swept range, 0.1 to 3.0; take it out or widen sweeps.ste",
+                "portraits.ste.with[2]: 1.0 is listed twice; take one out",
+            ],
+        ),
+        (
+            {"portraits.ste.without": [1.0], "portraits.ste.wth": [1.0]},
+            [
+                "portraits.ste.without: the case is not swept; add it to sweeps.ste.cases or leave its list empty",
+                "portraits.ste.wth: text 'wth' is no case (did you mean with?)",
+            ],
+        ),
+        (
+            {"elasticity": [{"lw": "li"}, {"calibration": -1}]},
+            [
+                "elasticity: a list of 2 is not a section; give the keys law and calibration below it",
+                "elasticity.lw: unknown key (did you mean elasticity.law?)",
+                "elasticity.calibration: -1.0 is below the least allowed value 0; give a number from 0 to 20",
+            ],
+        ),
+        (
+            {"dynamics": DROP, "dynamic": {}},
+            [
+                "dynamic: unknown key (did you mean dynamics?)",
+                "dynamics: missing section; give its keys reference_case, damping_ratio, stiffness, harmonics, "
+                "ste_amplitude, clearance, torque_fluctuation, tolerance and start",
+            ],
+        ),
+    ],
+)
+def test_problems_that_come_together(changes, lines):
+    assert problems(changes) == lines
+
+
+def test_a_case_name_that_yaml_does_not_take_for_text():
+    raw = load("config.yaml")
+    raw["cases"][True] = raw["cases"]["with"]
+    with pytest.raises(ConfigError, match=r"cases\.\(true\): the name is not text; put it in quotes"):
+        check(raw)
+
+
+@pytest.mark.parametrize("raw", [None, [], "config.yaml", 3])
+def test_a_file_without_sections(raw):
+    with pytest.raises(ConfigError, match=r"\(whole configuration\): .* is not a section; give the keys gear_pair, "):
+        check(raw)
+
+
+def problems(changes):
+    raw = load("config.yaml")
+    for path, value in changes.items():
+        *way, last = path.split(".")
+        place = raw
+        for key in way:
+            place = place[key]
+        if value is DROP:
+            del place[last]
+        else:
+            place[last] = value
+    with pytest.raises(ConfigError) as caught:
+        check(raw)
+    head, *lines = str(caught.value).split("\n")
+    assert head == f"configuration: {len(lines)} problem{'s' * (len(lines) > 1)}"
+    return [line.removeprefix("  ") for line in lines]

@@ -1,0 +1,146 @@
+"""What a change re-runs: the table in README.md is the expectation."""
+
+import re
+from pathlib import Path
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+
+RULE_OF_FOLDER = {
+    "wear": "advance_wear",
+    "mesh_stiffness": "stiffen_mesh",
+    "transmission_error": "share_load",
+    "backlash": "open_backlash",
+    "response": "solve_response",
+    "parts": "sweep_part",
+    "sweeps": "join_sweep",
+    "portraits": "trace_portraits",
+    "figures": "figures",
+}
+CHANGED_VALUES = {
+    "gear_pair.face_width": 0.017,
+    "material.pinion.density": 7800.0,
+    "friction.boundary": 0.11,
+    "heat.shaft_temperature_drop": 10.0,
+    "mesh_stiffness.cantilever": "root",
+    "operation.pinion_speed": 5900.0,
+    "transmission_error.heat": "none",
+    "backlash.half_backlash": 66.0e-6,
+    "wear.pressure": "peak",
+    "dynamics.damping_ratio": 0.084,
+    "settling.sampled_periods": 82,
+    "sweeps.ste.points": 13,
+    "portraits.backlash.with": [0.36, 0.80],
+    "figures.diagonal": ["without", "n1400_t080", "with"],
+}
+
+
+def rule_of(path: str) -> str:
+    """Return the rule that makes a result file; rules of figures are one."""
+    parts = Path(path).parts
+    if path == "results/geometry.nc":
+        return "build_geometry"
+    if path == "results/claims.csv":
+        return "judge_claims"
+    if parts[-1] == "temperature.nc":
+        return "heat_contact"
+    if parts[-1] == "deformation.nc":
+        return "grow_flanks"
+    folder = next(part for part in reversed(parts[:-1]) if part in RULE_OF_FOLDER)
+    if folder == "wear" and parts[-1] == "q000.nc":
+        return "start_wear"
+    return RULE_OF_FOLDER["parts" if "parts" in parts else folder]
+
+
+def matrix() -> dict[str, list[str]]:
+    """Return the rows of the README's table: key and the rules that run again, `*` = only after the first cycle."""
+    rows = re.findall(r"^\| `([a-z_.]+)` \| ([^|]+) \|", (ROOT / "README.md").read_text(), flags=re.MULTILINE)
+    return {key: [word.strip().strip("`") for word in rules.split(",")] for key, rules in rows}
+
+
+def overlay(project, key: str, value) -> Path:
+    for name in reversed(key.split(".")):
+        value = {name: value}
+    path = project.folder / "overlay.yaml"
+    path.write_text(yaml.safe_dump(value))
+    return path
+
+
+def plan_after(project, key, value) -> set[str]:
+    return project.planned("--configfile", "config/config.yaml", "config/smoke.yaml", overlay(project, key, value).name)
+
+
+def test_second_run_plans_nothing(smoke_run):
+    assert smoke_run.planned() == set()
+
+
+def test_readme_names_every_row():
+    assert set(matrix()) == set(CHANGED_VALUES)
+
+
+@pytest.mark.parametrize("key", CHANGED_VALUES)
+def test_changed_value_reruns_what_it_reaches(smoke_run, key):
+    planned = plan_after(smoke_run, key, CHANGED_VALUES[key])
+    expected = matrix()[key]
+    if expected == ["everything"]:
+        assert "results/geometry.nc" in planned and {rule_of(path) for path in planned} >= set(RULE_OF_FOLDER.values())
+        return
+    assert sorted({rule_of(path) for path in planned}) == sorted(rule.rstrip("*") for rule in expected)
+    for rule in expected:
+        first = [path for path in planned if rule_of(path) == rule.rstrip("*") and path.endswith("/q000.nc")]
+        if rule in RULE_OF_FOLDER.values() and rule != "advance_wear":
+            assert first or rule.endswith("*") or not re.search(r"mesh$|load|backlash|response", rule)
+        if rule.endswith("*"):
+            assert not first
+
+
+def test_bulk_temperature_of_a_case_reruns_only_this_case(smoke_run):
+    planned = plan_after(smoke_run, "cases.n0700_t060.bulk_temperature", 61.0)
+    own = {path for path in planned if path.startswith("results/n0700_t060/")}
+    shared = {f"results/figures/fig{n:02d}.{kind}" for n in range(6, 12) for kind in ("svg", "png")}
+    assert own and planned - own == shared | {"results/claims.csv"}
+    assert "results/n0700_t060/wear/q000.nc" not in planned
+
+
+def test_longer_life_adds_only_the_new_cycle_and_what_reads_the_last(smoke_run):
+    planned = plan_after(smoke_run, "cases.wear_only.running_cycles", 3.0e8)
+    added = {f"results/wear_only/{stage}/q003.nc" for stage in list(RULE_OF_FOLDER)[:5]}
+    assert planned == added | {"results/claims.csv"}
+
+
+def test_comment_and_key_order_rerun_nothing(smoke_run):
+    path = smoke_run.folder / "config" / "config.yaml"
+    before = path.read_text()
+    try:
+        turned = {key: value for key, value in reversed(yaml.safe_load(before).items())}
+        turned["gear_pair"] = dict(reversed(turned["gear_pair"].items()))
+        path.write_text("# another comment\n" + yaml.safe_dump(turned, sort_keys=False))
+        assert smoke_run.planned() == set()
+    finally:
+        path.write_text(before)
+
+
+def edited_plan(project, module: str, old: str, new: str) -> set[str]:
+    path = project.folder / "workflow" / "scripts" / "gearwear" / module
+    before = path.read_text()
+    assert old in before
+    try:
+        path.write_text(before.replace(old, new, 1))
+        return project.planned()
+    finally:
+        path.write_text(before)
+
+
+def test_edited_physics_reruns_its_stages(smoke_run):
+    planned = edited_plan(smoke_run, "mesh/backlash.py", "initial + factor * change / 2", "initial + factor * change / 3")
+    rules = {rule_of(path) for path in planned}
+    assert "open_backlash" in rules and "solve_response" in rules
+    assert not rules & {"build_geometry", "heat_contact", "grow_flanks", "start_wear"}
+    assert "results/with/mesh_stiffness/q000.nc" not in planned
+
+
+def test_edited_comment_and_docstring_rerun_nothing(smoke_run):
+    old = '"""Half backlash along the path of one pair."""'
+    assert edited_plan(smoke_run, "mesh/backlash.py", old, '"""Gap."""\n# a remark') == set()

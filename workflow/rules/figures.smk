@@ -1,0 +1,424 @@
+STYLE = Path(workflow.basedir) / "workflow" / "report" / "gearwear.mplstyle"
+
+
+def figures():
+    """The figures of the paper, numbers 6 to 18."""
+    return expand(
+        "results/figures/fig{number}.svg", number=[f"{n:02d}" for n in range(6, 19)]
+    )
+
+
+def diagonal(pattern):
+    """The files of `pattern` for the states of figures 6 to 11, in their order."""
+    return [
+        pattern.format(case=case, q=last(case))
+        for case in config["figures"]["diagonal"]
+    ]
+
+
+def drawn_state(case):
+    """Name, temperature and cycles of a case: plain values for legends."""
+    return {"case": case, "cycle": int(last(case)), **config["cases"][case]}
+
+
+def drawn_states():
+    """The states of figures 6 to 11."""
+    return [drawn_state(case) for case in config["figures"]["diagonal"]]
+
+
+def caption(number):
+    """The caption of a figure in the report."""
+    return str(Path(workflow.basedir) / "workflow" / "report" / f"fig{number}.rst")
+
+
+rule judge_claims:
+    input:
+        claims=str(Path(workflow.basedir) / "config" / "paper_claims.yaml"),
+        results=[
+            "results/geometry.nc",
+            *diagonal("results/{case}/temperature.nc"),
+            *diagonal("results/{case}/deformation.nc"),
+            *diagonal("results/{case}/wear/q{q}.nc"),
+            *diagonal("results/{case}/transmission_error/q{q}.nc"),
+            *diagonal("results/{case}/backlash/q{q}.nc"),
+            *diagonal("results/{case}/mesh_stiffness/q000.nc"),
+            *diagonal("results/{case}/mesh_stiffness/q{q}.nc"),
+            *[f"results/with/wear/q{q:03d}.nc" for q in range(int(last("with")))],
+            *[
+                f"results/wear_only/{stage}/q{q}.nc"
+                for stage in ("wear", "mesh_stiffness")
+                for q in ("000", last("wear_only"))
+            ],
+            "results/temperature_only/mesh_stiffness/q000.nc",
+            *[f"results/{case}/sweeps/{sweep}.nc" for case, sweep in swept_cases()],
+        ],
+    output:
+        "results/claims.csv",
+    log:
+        "results/logs/judge_claims.log",
+    benchmark:
+        "results/benchmarks/judge_claims.tsv"
+    params:
+        cfg={"states": drawn_states()},
+        code=code("judge_claims.py"),
+    message:
+        "Holding the claims of the paper against the results."
+    script:
+        "../scripts/judge_claims.py"
+
+
+rule plot_wear:
+    input:
+        geometry="results/geometry.nc",
+        wear=diagonal("results/{case}/wear/q{q}.nc"),
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/fig06.svg",
+            caption=caption("06"),
+            category="Flanks",
+            labels={"figure": "6"},
+        ),
+        png="results/figures/fig06.png",
+    log:
+        "results/logs/plot_wear.log",
+    benchmark:
+        "results/benchmarks/plot_wear.tsv"
+    params:
+        cfg={"states": drawn_states()},
+        code=code("plot_wear.py"),
+    message:
+        "Figure 6: wear depth of both flanks."
+    script:
+        "../scripts/plot_wear.py"
+
+
+rule plot_growth:
+    input:
+        geometry="results/geometry.nc",
+        deformation=diagonal("results/{case}/deformation.nc"),
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/fig07.svg",
+            caption=caption("07"),
+            category="Flanks",
+            labels={"figure": "7"},
+        ),
+        png="results/figures/fig07.png",
+    log:
+        "results/logs/plot_growth.log",
+    benchmark:
+        "results/benchmarks/plot_growth.tsv"
+    params:
+        cfg={"states": drawn_states()},
+        code=code("plot_growth.py"),
+    message:
+        "Figure 7: thermal growth of both flanks."
+    script:
+        "../scripts/plot_growth.py"
+
+
+rule plot_stiffness:
+    input:
+        geometry="results/geometry.nc",
+        mesh_stiffness=diagonal("results/{case}/mesh_stiffness/q{q}.nc"),
+        transmission_error=diagonal("results/{case}/transmission_error/q{q}.nc"),
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/fig08.svg",
+            caption=caption("08"),
+            category="Excitations",
+            labels={"figure": "8"},
+        ),
+        png="results/figures/fig08.png",
+    log:
+        "results/logs/plot_stiffness.log",
+    benchmark:
+        "results/benchmarks/plot_stiffness.tsv"
+    params:
+        cfg={"states": drawn_states()},
+        code=code("plot_stiffness.py"),
+    message:
+        "Figure 8: mesh stiffness."
+    script:
+        "../scripts/plot_stiffness.py"
+
+
+rule plot_error:
+    input:
+        geometry="results/geometry.nc",
+        transmission_error=diagonal("results/{case}/transmission_error/q{q}.nc"),
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/fig09.svg",
+            caption=caption("09"),
+            category="Excitations",
+            labels={"figure": "9"},
+        ),
+        png="results/figures/fig09.png",
+    log:
+        "results/logs/plot_error.log",
+    benchmark:
+        "results/benchmarks/plot_error.tsv"
+    params:
+        cfg={"states": drawn_states()},
+        code=code("plot_error.py"),
+    message:
+        "Figure 9: static transmission error."
+    script:
+        "../scripts/plot_error.py"
+
+
+rule plot_growth_share:
+    input:
+        geometry="results/geometry.nc",
+        deformation=diagonal("results/{case}/deformation.nc"),
+        transmission_error=diagonal("results/{case}/transmission_error/q{q}.nc"),
+        wear=diagonal("results/{case}/wear/q{q}.nc"),
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/fig10.svg",
+            caption=caption("10"),
+            category="Excitations",
+            labels={"figure": "10"},
+        ),
+        png="results/figures/fig10.png",
+    log:
+        "results/logs/plot_growth_share.log",
+    benchmark:
+        "results/benchmarks/plot_growth_share.tsv"
+    params:
+        cfg={"states": drawn_states()},
+        code=code("plot_growth_share.py"),
+    message:
+        "Figure 10: thermal growth, deflection and wear compared."
+    script:
+        "../scripts/plot_growth_share.py"
+
+
+rule plot_backlash:
+    input:
+        geometry="results/geometry.nc",
+        backlash=diagonal("results/{case}/backlash/q{q}.nc"),
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/fig11.svg",
+            caption=caption("11"),
+            category="Excitations",
+            labels={"figure": "11"},
+        ),
+        png="results/figures/fig11.png",
+    log:
+        "results/logs/plot_backlash.log",
+    benchmark:
+        "results/benchmarks/plot_backlash.tsv"
+    params:
+        cfg={"states": drawn_states()},
+        code=code("plot_backlash.py"),
+    message:
+        "Figure 11: half backlash."
+    script:
+        "../scripts/plot_backlash.py"
+
+
+rule plot_frequency_sweep:
+    input:
+        sweep=[
+            f"results/{case}/sweeps/mesh_frequency.nc"
+            for case in config["sweeps"]["mesh_frequency"]["cases"]
+        ],
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/fig12.svg",
+            caption=caption("12"),
+            category="Dynamics",
+            labels={"figure": "12"},
+        ),
+        png="results/figures/fig12.png",
+    log:
+        "results/logs/plot_frequency_sweep.log",
+    benchmark:
+        "results/benchmarks/plot_frequency_sweep.tsv"
+    params:
+        cfg={
+            "sweep": "mesh_frequency",
+            "states": [
+                drawn_state(case)
+                for case in config["sweeps"]["mesh_frequency"]["cases"]
+            ],
+        },
+        code=code("plot_bifurcation.py"),
+    message:
+        "Figure 12: bifurcations over the mesh frequency."
+    script:
+        "../scripts/plot_bifurcation.py"
+
+
+rule plot_portraits_cold:
+    input:
+        portraits="results/without/portraits/mesh_frequency.nc",
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/fig13.svg",
+            caption=caption("13"),
+            category="Dynamics",
+            labels={"figure": "13"},
+        ),
+        png="results/figures/fig13.png",
+    log:
+        "results/logs/plot_portraits_cold.log",
+    benchmark:
+        "results/benchmarks/plot_portraits_cold.tsv"
+    params:
+        cfg={"sweep": "mesh_frequency", "state": drawn_state("without")},
+        code=code("plot_portraits.py"),
+    message:
+        "Figure 13: phase portraits over the mesh frequency, cold and unworn."
+    script:
+        "../scripts/plot_portraits.py"
+
+
+rule plot_portraits_hot:
+    input:
+        portraits="results/with/portraits/mesh_frequency.nc",
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/fig14.svg",
+            caption=caption("14"),
+            category="Dynamics",
+            labels={"figure": "14"},
+        ),
+        png="results/figures/fig14.png",
+    log:
+        "results/logs/plot_portraits_hot.log",
+    benchmark:
+        "results/benchmarks/plot_portraits_hot.tsv"
+    params:
+        cfg={"sweep": "mesh_frequency", "state": drawn_state("with")},
+        code=code("plot_portraits.py"),
+    message:
+        "Figure 14: phase portraits over the mesh frequency, hot and worn."
+    script:
+        "../scripts/plot_portraits.py"
+
+
+rule plot_ste_sweep:
+    input:
+        sweep=[
+            f"results/{case}/sweeps/ste.nc"
+            for case in config["sweeps"]["ste"]["cases"]
+        ],
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/fig15.svg",
+            caption=caption("15"),
+            category="Dynamics",
+            labels={"figure": "15"},
+        ),
+        png="results/figures/fig15.png",
+    log:
+        "results/logs/plot_ste_sweep.log",
+    benchmark:
+        "results/benchmarks/plot_ste_sweep.tsv"
+    params:
+        cfg={
+            "sweep": "ste",
+            "states": [drawn_state(case) for case in config["sweeps"]["ste"]["cases"]],
+        },
+        code=code("plot_bifurcation.py"),
+    message:
+        "Figure 15: bifurcations over the transmission error."
+    script:
+        "../scripts/plot_bifurcation.py"
+
+
+rule plot_portraits_ste:
+    input:
+        portraits="results/with/portraits/ste.nc",
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/fig16.svg",
+            caption=caption("16"),
+            category="Dynamics",
+            labels={"figure": "16"},
+        ),
+        png="results/figures/fig16.png",
+    log:
+        "results/logs/plot_portraits_ste.log",
+    benchmark:
+        "results/benchmarks/plot_portraits_ste.tsv"
+    params:
+        cfg={"sweep": "ste", "state": drawn_state("with")},
+        code=code("plot_portraits.py"),
+    message:
+        "Figure 16: phase portraits over the transmission error."
+    script:
+        "../scripts/plot_portraits.py"
+
+
+rule plot_backlash_sweep:
+    input:
+        sweep=[
+            f"results/{case}/sweeps/backlash.nc"
+            for case in config["sweeps"]["backlash"]["cases"]
+        ],
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/fig17.svg",
+            caption=caption("17"),
+            category="Dynamics",
+            labels={"figure": "17"},
+        ),
+        png="results/figures/fig17.png",
+    log:
+        "results/logs/plot_backlash_sweep.log",
+    benchmark:
+        "results/benchmarks/plot_backlash_sweep.tsv"
+    params:
+        cfg={
+            "sweep": "backlash",
+            "states": [
+                drawn_state(case) for case in config["sweeps"]["backlash"]["cases"]
+            ],
+        },
+        code=code("plot_bifurcation.py"),
+    message:
+        "Figure 17: bifurcations over the backlash."
+    script:
+        "../scripts/plot_bifurcation.py"
+
+
+rule plot_portraits_backlash:
+    input:
+        portraits="results/with/portraits/backlash.nc",
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/fig18.svg",
+            caption=caption("18"),
+            category="Dynamics",
+            labels={"figure": "18"},
+        ),
+        png="results/figures/fig18.png",
+    log:
+        "results/logs/plot_portraits_backlash.log",
+    benchmark:
+        "results/benchmarks/plot_portraits_backlash.tsv"
+    params:
+        cfg={"sweep": "backlash", "state": drawn_state("with")},
+        code=code("plot_portraits.py"),
+    message:
+        "Figure 18: phase portraits over the backlash."
+    script:
+        "../scripts/plot_portraits.py"

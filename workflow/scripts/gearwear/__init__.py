@@ -1,0 +1,1 @@
+"""Nonlinear dynamics of worn, hot spur gears: the physics behind the workflow."""

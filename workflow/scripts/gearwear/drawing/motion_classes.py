@@ -1,0 +1,81 @@
+"""Motion classes on paper: names, colours, and strips that show which class holds where."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Patch, Rectangle
+
+from gearwear.plumbing.fields import MOTION_CLASSES
+
+_NAMES = {code: name for name, code in MOTION_CLASSES.items()}
+# Okabe and Ito (2008), safe for colour-blind readers.
+_COLOURS = {
+    "P1": "#0072B2",
+    "P2": "#56B4E9",
+    "P4": "#009E73",
+    "P8": "#000000",
+    "P3": "#F0E442",
+    "P6": "#E69F00",
+    "QP": "#CC79A7",
+    "CH": "#D55E00",
+}
+_OTHER_PERIOD, _UNDECIDED = "#9A9A9A", "#FFFFFF"
+_WORDS = {"CH": "chaotic", "QP": "quasi-periodic", "not_converged": "not decided"}
+_DARK = ("P1", "P4", "P8", "CH")
+_OTHER = "other period"
+_LEAST_WIDTH = 0.022  # of the axis, room for two letters
+
+
+def name_of(code: int) -> str:
+    """Return the name of a motion class by its code."""
+    return _NAMES[int(code)]
+
+
+def short(name: str) -> str:
+    """Return the name of a class as panels show it."""
+    return "?" if name == "not_converged" else name
+
+
+def runs(swept: np.ndarray, names: Sequence[str]) -> list[tuple[float, float, str]]:
+    """Return (low, high, class) of neighbours of one class, meeting midway between points; `swept` ascends."""
+    middles = (swept[1:] + swept[:-1]) / 2
+    edges = np.concatenate([swept[:1], middles, swept[-1:]])
+    changes = [i for i in range(1, len(names)) if names[i] != names[i - 1]]
+    starts, ends = [0, *changes], [*changes, len(names)]
+    return [(float(edges[i]), float(edges[j]), names[i]) for i, j in zip(starts, ends, strict=True)]
+
+
+def draw_strip(axes: Axes, row: float, zones: Iterable[tuple[float, float, str]]) -> None:
+    """Draw one row of height 1, its lower edge at `row`; wide zones carry the name of their class."""
+    left, right = axes.get_xlim()
+    for low, high, name in zones:
+        axes.add_patch(Rectangle((low, row + 0.06), high - low, 0.88, linewidth=0, **_fill(name)))
+        if high - low > _LEAST_WIDTH * (right - left):
+            tint = "white" if name in _DARK else "black"
+            middle = (low + high) / 2
+            axes.text(middle, row + 0.47, short(name), ha="center", va="center_baseline", color=tint, fontsize=6)
+
+
+def keys(names: Iterable[str]) -> list[Patch]:
+    """Return the legend entries of the classes named, in the order of the table of classes."""
+    found = set(names)
+    listed = [name for name in ("P1", "P2", "P4", "P8", "P3", "P6") if name in found]
+    if any(name.startswith("P") and name not in _COLOURS for name in found):
+        listed.append(_OTHER)
+    listed += [name for name in ("QP", "CH", "not_converged") if name in found]
+    return [Patch(**_fill(name), linewidth=0, label=_worded(name)) for name in listed]
+
+
+def _worded(name: str) -> str:
+    if name in _WORDS:
+        return f"{short(name)}, {_WORDS[name]}"
+    return f"{name}, period {name[1:]}" if name in _COLOURS else name
+
+
+def _fill(name: str) -> dict[str, str]:
+    if name == "not_converged":
+        return {"facecolor": _UNDECIDED, "edgecolor": "#777777", "hatch": "//////"}
+    return {"facecolor": _COLOURS.get(name, _OTHER_PERIOD)}

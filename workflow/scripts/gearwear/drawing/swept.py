@@ -1,0 +1,22 @@
+"""The swept quantities as axes: labels, and the unit of length behind displacements."""
+
+from __future__ import annotations
+
+from typing import Any
+
+LABELS = {
+    "mesh_frequency": "Mesh frequency over natural frequency",
+    "ste": "Mean static transmission error over that of the reference case",
+    "backlash": "Mean backlash over its initial value",
+}
+
+
+def length_unit(sweep: str, settings: dict[str, Any]) -> str:
+    """Return in words what a displacement of this sweep is divided by."""
+    rescaled = sweep == "backlash" and settings["reading"] == "rescale"
+    return "swept half backlash" if rescaled else "initial half backlash"
+
+
+def condition(sweep: str, settings: dict[str, Any]) -> str:
+    """Return what the sweep holds fixed, as a line under its title, or nothing."""
+    return "" if sweep == "mesh_frequency" else f"mesh frequency {settings['mesh_frequency']:g} of the natural one"

@@ -1,0 +1,52 @@
+"""The compiler of the numerical kernels and the place of their machine code.
+
+numba keys a cached function by its own source file only, so an edit of a *called* function in another file
+would meet stale machine code. The cache folder is therefore named by a digest over every source file of this
+package. All kernels are compiled in strict IEEE arithmetic: results are bit-equal from a cold and a warm cache.
+"""
+
+import functools
+import hashlib
+import os
+import tempfile
+from pathlib import Path
+
+
+def source_digest(folder: Path) -> str:
+    """Sixteen hexadecimal digits over the names and contents of all Python files below a folder."""
+    digest = hashlib.sha256()
+    for file in sorted(folder.rglob("*.py")):
+        content = file.read_bytes()
+        digest.update(f"{file.relative_to(folder).as_posix()}\0{len(content)}\0".encode())
+        digest.update(content)
+    return digest.hexdigest()[:16]
+
+
+def cache_folder(environment: dict[str, str], digest: str) -> Path:
+    """Writable folder of the machine code: GEARWEAR_CACHE, else the user's cache, else a temporary folder."""
+    if environment.get("GEARWEAR_CACHE"):
+        base = Path(environment["GEARWEAR_CACHE"])
+    elif environment.get("XDG_CACHE_HOME"):
+        base = Path(environment["XDG_CACHE_HOME"], "gearwear")
+    else:
+        base = Path("~/.cache/gearwear").expanduser()
+    folder = base.absolute() / "numba" / digest
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder):
+            return folder
+    except OSError:
+        folder = Path(tempfile.gettempdir(), f"gearwear-{os.getuid()}", "numba", digest)
+        folder.mkdir(parents=True, exist_ok=True)
+        return folder
+
+
+CACHE_FOLDER = cache_folder(dict(os.environ), source_digest(Path(__file__).parent))
+os.environ["NUMBA_CACHE_DIR"] = str(CACHE_FOLDER)
+
+import numba  # noqa: E402  (the cache folder must be set first)
+
+# numba may have been imported, and have read its environment, before this module.
+numba.config.CACHE_DIR = str(CACHE_FOLDER)
+
+njit = functools.partial(numba.njit, cache=True, nogil=True, fastmath=False, error_model="numpy")

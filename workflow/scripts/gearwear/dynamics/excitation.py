@@ -1,0 +1,164 @@
+"""From the mesh of one state to its oscillator: units, amplitudes and phases of the excitation.
+
+Length unit is the initial half backlash b0, time unit the inverse natural frequency of the case.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from gearwear.dynamics.harmonics import harmonics, mean_over_mesh
+from gearwear.dynamics.oscillator import ExternalTorque, Oscillator
+from gearwear.dynamics.periodic import Harmonics, PeriodicTable
+from gearwear.geometry.kinematics import mesh_force
+
+_TABLE_CLEARANCE_HARMONICS = 16  # a clearance is a sum of harmonics even where k and e are tables
+
+
+class Excitation(NamedTuple):
+    """What drives the oscillator of one state.
+
+    Attributes
+    ----------
+    length : b0, m.
+    mean_stiffness : N/m; natural_frequency : rad/s; mean_force : N.
+    force_parameter : F_m/(k_m b0).
+    stiffness : over its mean.
+    shape : transmission error scaled so that its first harmonic has amplitude 1.
+    error_amplitude : of the first harmonic of the error excitation over b0, for this state.
+    reference_amplitude : the same for the reference case; it belongs to a relative mean error of 1.
+    relative_mean_error : mean transmission error over that of the reference case.
+    clearance : over b0.
+    """
+
+    length: float
+    mean_stiffness: float
+    natural_frequency: float
+    mean_force: float
+    force_parameter: float
+    stiffness: Harmonics | PeriodicTable
+    shape: Harmonics | PeriodicTable
+    error_amplitude: float
+    reference_amplitude: float
+    relative_mean_error: float
+    clearance: Harmonics
+
+    def oscillator(self, settings: dict, frequency: float, error_amplitude: float | None = None) -> Oscillator:
+        """Return the oscillator at a mesh frequency (over the natural one) and an error amplitude (over b0)."""
+        amplitude = self.error_amplitude if error_amplitude is None else error_amplitude
+        torque = settings["torque_fluctuation"]
+        return Oscillator(
+            frequency=frequency,
+            damping_ratio=settings["damping_ratio"],
+            mean_force=self.force_parameter,
+            stiffness=self.stiffness,
+            error=self.shape.scaled(amplitude),
+            clearance=self.clearance,
+            torque=ExternalTorque(
+                torque["amplitude"] * self.force_parameter, torque["frequency_ratio"], torque["phase"]
+            ),
+        )
+
+
+def excitation(geometry, state, reference, pinion_torque: float, settings: dict) -> Excitation:
+    """Return the excitation of one state.
+
+    Parameters
+    ----------
+    geometry : dataset of the geometry stage.
+    state, reference : datasets that hold `mesh_stiffness`, `effective_stiffness`, `transmission_error` and, for
+        `state`, `backlash` and `initial_half_backlash`; `reference` is the pristine reference case.
+    pinion_torque : N m.
+    settings : the section `dynamics`.
+
+    Raises
+    ------
+    ValueError : the transmission error has no first harmonic.
+    """
+    phase, width = geometry["mesh_phase"].values, geometry["mesh_phase_width"].values
+    length, force = float(state["initial_half_backlash"]), mesh_force(geometry, pinion_torque)
+    which = "mesh_stiffness" if settings["stiffness"] == "nominal" else "effective_stiffness"
+    stiffness, error = state[which].values, state["transmission_error"].values
+    mean = mean_over_mesh(stiffness, width)
+    ratio = mean_over_mesh(error, width) / mean_over_mesh(reference["transmission_error"].values, width)
+    own, unit = _amplitudes(settings["ste_amplitude"], error, reference, which, force, ratio, phase, width)
+    first, _ = harmonics(error, phase, width, 1)
+    if first[0] <= 0:
+        raise ValueError("the transmission error is constant over the mesh: it excites nothing")
+    if settings["harmonics"] == "full":
+        double = geometry["leaving"].values >= 0
+        relative_stiffness = _table(stiffness / mean, width, double)
+        shape = _table(error / first[0], width, double)
+    else:
+        relative_stiffness = Harmonics(1.0, *harmonics(stiffness / mean, phase, width, settings["harmonics"]))
+        shape = Harmonics(0.0, *harmonics(error / first[0], phase, width, settings["harmonics"]))
+    clearance = state["backlash"].values / length
+    count = 0
+    if settings["clearance"] == "varying":
+        count = _TABLE_CLEARANCE_HARMONICS if settings["harmonics"] == "full" else settings["harmonics"]
+    return Excitation(
+        length=length,
+        mean_stiffness=mean,
+        natural_frequency=float(np.sqrt(mean / float(geometry["equivalent_mass"]))),
+        mean_force=force,
+        force_parameter=force / (mean * length),
+        stiffness=relative_stiffness,
+        shape=shape,
+        error_amplitude=own / length,
+        reference_amplitude=unit / length,
+        relative_mean_error=ratio,
+        clearance=Harmonics(mean_over_mesh(clearance, width), *harmonics(clearance, phase, width, count)),
+    )
+
+
+def swept_oscillator(source: Excitation, sweep: str, value: float, settings: dict, swept: dict) -> Oscillator:
+    """Return the oscillator at one value of a sweep.
+
+    Parameters
+    ----------
+    source : excitation of the case.
+    sweep : `mesh_frequency`, mesh over natural frequency; `ste`, mean transmission error over that of the reference
+        case; `backlash`, mean half clearance over b0. The last two at the mesh frequency of their section.
+    value : of the swept quantity.
+    settings, swept : the section `dynamics` and the section of the sweep. `swept["reading"]` of the backlash sweep:
+        `rescale`, the clearance is the unit of length, so that the error amplitude falls as the clearance grows while
+        the force parameter and the clearance in this unit stay; `clearance`, the clearance alone changes.
+    """
+    if sweep == "mesh_frequency":
+        return source.oscillator(settings, value)
+    frequency = swept["mesh_frequency"]
+    if sweep == "ste":
+        return source.oscillator(settings, frequency, value * source.reference_amplitude)
+    if swept["reading"] == "rescale":
+        return source.oscillator(settings, frequency, source.reference_amplitude / value)
+    return source.oscillator(settings, frequency).with_clearance_scaled(value / source.clearance.mean)
+
+
+def _amplitudes(meaning, error, reference, stiffness_name, force, ratio, phase, width) -> tuple[float, float]:
+    """Return the error amplitude (m) of the state and that of the reference case.
+
+    `nominal`: mean force over the mean stiffness of the reference case, times the relative mean error; `mean`: mean
+    transmission error; `harmonic`: its first harmonic.
+    """
+    cold = reference["transmission_error"].values
+    if meaning == "nominal":
+        unit = force / mean_over_mesh(reference[stiffness_name].values, width)
+        return ratio * unit, unit
+    if meaning == "mean":
+        return mean_over_mesh(error, width), mean_over_mesh(cold, width)
+    return float(harmonics(error, phase, width, 1)[0][0]), float(harmonics(cold, phase, width, 1)[0][0])
+
+
+def _table(values: np.ndarray, width: np.ndarray, double: np.ndarray) -> PeriodicTable:
+    """Return the piecewise linear function through cell midpoints, continuous but for the changes of zone."""
+    breaks = np.concatenate([[0.0], np.cumsum(width)])
+    breaks[-1] = 1.0
+    start, end = np.empty_like(values), np.empty_like(values)
+    for zone in (double, ~double):
+        y, w = values[zone], width[zone]
+        inner = (y[:-1] * w[1:] + y[1:] * w[:-1]) / (w[:-1] + w[1:])
+        start[zone] = np.concatenate([[2 * y[0] - inner[0]], inner])
+        end[zone] = np.concatenate([inner, [2 * y[-1] - inner[-1]]])
+    return PeriodicTable(tuple(breaks), tuple(start), tuple(end))

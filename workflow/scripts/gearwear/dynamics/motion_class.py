@@ -1,0 +1,18 @@
+"""Names and codes of the classes of motion, as stored in the sweeps (flag variables of the CF conventions)."""
+
+NOT_CONVERGED, QUASI_PERIODIC, CHAOTIC = 0, 100, 101
+LARGEST_PERIOD = 64
+
+FLAG_VALUES = (NOT_CONVERGED, *range(1, LARGEST_PERIOD + 1), QUASI_PERIODIC, CHAOTIC)
+FLAG_MEANINGS = ("not_converged", *(f"P{n}" for n in range(1, LARGEST_PERIOD + 1)), "QP", "CH")
+
+SETTLED, SLOW_CONVERGENCE, EXPONENT_UNCLEAR, BLOWN_UP, STEPS_EXHAUSTED = range(5)
+REASON_VALUES = (SETTLED, SLOW_CONVERGENCE, EXPONENT_UNCLEAR, BLOWN_UP, STEPS_EXHAUSTED)
+REASON_MEANINGS = ("settled", "slow_convergence", "exponent_unclear", "blow_up", "too_many_steps")
+
+
+def class_name(value: int) -> str:
+    """Name of a class of motion: P1 to P64 for the period in forcing periods, QP, CH or not_converged."""
+    if value not in FLAG_VALUES:
+        raise ValueError(f"motion class: code {value} is unknown; the codes are {FLAG_VALUES}")
+    return FLAG_MEANINGS[FLAG_VALUES.index(value)]

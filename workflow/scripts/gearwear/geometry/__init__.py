@@ -1,0 +1,1 @@
+"""Tooth profile, contact path and inertia of the gear pair."""

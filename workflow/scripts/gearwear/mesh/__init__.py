@@ -1,0 +1,1 @@
+"""Mesh stiffness, load sharing, static transmission error and backlash."""

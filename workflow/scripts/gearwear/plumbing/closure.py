@@ -1,0 +1,72 @@
+"""Digest of a stage script and of every project module it can reach.
+
+Snakemake does not see imported modules; with this digest among a rule's parameters a change of the
+physics re-runs the stages that use it. Comments, layout and docstrings do not count.
+"""
+
+from __future__ import annotations
+
+import ast
+import hashlib
+from collections.abc import Iterator
+from functools import lru_cache
+from pathlib import Path
+
+SCRIPTS = Path(__file__).resolve().parents[2]
+
+
+@lru_cache(None)
+def digest(script: str | Path, root: str | Path = SCRIPTS) -> str:
+    """Return 16 hexadecimal digits that change with the code `script` can run.
+
+    Parameters
+    ----------
+    script : the stage script.
+    root : folder from which absolute imports of project modules are resolved.
+    """
+    total = hashlib.sha256()
+    for path in closure(Path(script), Path(root)):
+        name = path.relative_to(root) if path.is_relative_to(root) else path.name
+        total.update(f"{name}\0{ast.unparse(_stripped(path))}\0".encode())
+    return total.hexdigest()[:16]
+
+
+def closure(script: Path, root: Path = SCRIPTS) -> list[Path]:
+    """Return the project files that `script` imports, directly or not, itself included, sorted."""
+    found: set[Path] = set()
+    todo = [script]
+    while todo:
+        path = todo.pop()
+        if path in found:
+            continue
+        found.add(path)
+        for name in _imported(path):
+            todo += _files(name, root)
+    return sorted(found)
+
+
+@lru_cache(None)
+def _stripped(path: Path) -> ast.Module:
+    tree = ast.parse(path.read_bytes())
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef) and ast.get_docstring(node) is not None:
+            node.body = node.body[1:] or [ast.Pass()]
+    return tree
+
+
+def _imported(path: Path) -> Iterator[str]:
+    for node in ast.walk(_stripped(path)):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield node.module or ""
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+
+
+def _files(name: str, root: Path) -> Iterator[Path]:
+    parts = name.split(".")
+    for depth in range(1, len(parts) + 1):
+        stem = root.joinpath(*parts[:depth])
+        for candidate in (stem.with_suffix(".py"), stem / "__init__.py"):
+            if candidate.is_file():
+                yield candidate

@@ -1,0 +1,204 @@
+"""Rules that tie configuration keys to one another.
+
+Every rule looks only at values that are valid on their own (missing ones are passed over), so that
+all problems of a configuration appear in one message.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from gearwear.plumbing.key_types import CASE_NAME
+from gearwear.plumbing.study_sections import MOST_CYCLES
+from gearwear.plumbing.wording import dotted, figure, listed, shown
+
+SWEEPS = ("mesh_frequency", "ste", "backlash")
+REQUIRED_CASES = ("without", "temperature_only", "wear_only", "with")
+RESERVED_NAMES = ("figures", "logs", "benchmarks", "geometry")
+MOST_UPDATES = 999
+_LONGEST_NAME = 60
+_MOST_NAMED = 12
+
+Problem = tuple[tuple[str, ...], str]
+
+
+def disagreements(values: dict[str, Any]) -> Iterator[Problem]:
+    """Yield path and message of every broken rule.
+
+    Parameters
+    ----------
+    values : nested dict of the values that are valid on their own; others are absent.
+    """
+    yield from _ranges(values)
+    yield from _temperatures(values)
+    yield from _materials_of_contact(values)
+    yield from _settling(values)
+    if isinstance(_at(values, "cases"), dict):
+        yield from _case_names(values)
+        yield from _updates(values)
+        yield from _reference(values)
+        yield from _case_lists(values)
+    yield from _portraits(values)
+
+
+def _at(values: dict[str, Any], path: str) -> Any:
+    for key in path.split("."):
+        if not isinstance(values, dict) or key not in values:
+            return None
+        values = values[key]
+    return values
+
+
+def _pair(values: dict[str, Any], first: str, second: str) -> tuple[Any, Any] | None:
+    found = _at(values, first), _at(values, second)
+    return None if None in found else found
+
+
+def _ranges(values: dict[str, Any]) -> Iterator[Problem]:
+    for sweep in SWEEPS:
+        ends = _pair(values, f"sweeps.{sweep}.first", f"sweeps.{sweep}.last")
+        if ends and ends[1] <= ends[0]:
+            yield (
+                ("sweeps", sweep, "last"),
+                f"{ends[1]} is not above sweeps.{sweep}.first, {ends[0]}; exchange them or widen the range",
+            )
+
+
+def _temperatures(values: dict[str, Any]) -> Iterator[Problem]:
+    initial = _at(values, "heat.initial_temperature")
+    for name, case in (_at(values, "cases") or {}).items():
+        bulk = _at(case, "bulk_temperature")
+        if initial is not None and bulk is not None and bulk < initial:
+            yield (
+                ("cases", name, "bulk_temperature"),
+                f"{bulk} is below heat.initial_temperature, {initial} degC; give at least that",
+            )
+
+
+def _materials_of_contact(values: dict[str, Any]) -> Iterator[Problem]:
+    oil = _pair(values, "lubricant.dynamic_viscosity", "lubricant.dynamic_viscosity_40")
+    if oil and _at(values, "lubricant.viscosity_law") == "vogel" and oil[1] <= oil[0]:
+        yield (
+            ("lubricant", "dynamic_viscosity_40"),
+            f"{figure(oil[1])} is not above lubricant.dynamic_viscosity, {figure(oil[0])} Pa s; "
+            "exchange them, oil is thicker at 40 degC than at 100 degC",
+        )
+    friction = _pair(values, "friction.dry", "friction.boundary")
+    if friction and friction[1] > friction[0]:
+        yield (
+            ("friction", "boundary"),
+            f"{friction[1]} is above friction.dry, {friction[0]}; lower it or raise friction.dry",
+        )
+
+
+def _settling(values: dict[str, Any]) -> Iterator[Problem]:
+    looks = _pair(values, "settling.transient_periods", "settling.longest_transient")
+    if looks and looks[1] < looks[0]:
+        yield (
+            ("settling", "longest_transient"),
+            f"{looks[1]} is below settling.transient_periods, {looks[0]}; give at least that many",
+        )
+    section = _pair(values, "settling.largest_period", "settling.sampled_periods")
+    if section and section[1] < 2 * section[0] + 1:
+        yield (
+            ("settling", "sampled_periods"),
+            f"{section[1]} is too few to see settling.largest_period, {section[0]}, come back twice; "
+            f"give at least {2 * section[0] + 1} mesh periods",
+        )
+
+
+def _case_names(values: dict[str, Any]) -> Iterator[Problem]:
+    for name in values["cases"]:
+        if not re.fullmatch(CASE_NAME, name) or len(name) > _LONGEST_NAME:
+            yield (
+                ("cases", name),
+                f"not a case name; use small letters, digits and underscores, a letter first, "
+                f"at most {_LONGEST_NAME} of them",
+            )
+        elif name in RESERVED_NAMES:
+            yield (
+                ("cases", name),
+                f"the name is taken by a folder of the results; use none of {listed(list(RESERVED_NAMES))}",
+            )
+    for name in REQUIRED_CASES:
+        if name not in values["cases"]:
+            yield ("cases", name), "missing case; figures and claims read it, so give it its three keys"
+
+
+def _updates(values: dict[str, Any]) -> Iterator[Problem]:
+    step = _at(values, "wear.cycles_per_update")
+    for name, case in values["cases"].items():
+        cycles = _at(case, "running_cycles")
+        if step is None or cycles is None:
+            continue
+        path = ("cases", name, "running_cycles")
+        most, least = MOST_UPDATES * step, -(-cycles // MOST_UPDATES)
+        if cycles > most:
+            yield (
+                path,
+                f"{figure(cycles)} is more than {MOST_UPDATES} times wear.cycles_per_update, {figure(step)}; "
+                f"give at most {figure(most)}, or raise wear.cycles_per_update to {figure(least)} or more",
+            )
+        elif cycles % step:
+            below = cycles // step * step
+            near = [below, below + step] if below + step <= min(most, MOST_CYCLES) else [below]
+            yield (
+                path,
+                f"{figure(cycles)} is not a whole multiple of wear.cycles_per_update, {figure(step)}; "
+                f"give {listed([figure(value) for value in near], 'or')}",
+            )
+
+
+def _reference(values: dict[str, Any]) -> Iterator[Problem]:
+    name = _at(values, "dynamics.reference_case")
+    if name is None:
+        return
+    path = ("dynamics", "reference_case")
+    if name not in values["cases"]:
+        yield path, _no_such_case(name, values["cases"])
+    elif _at(values["cases"][name], "running_cycles"):
+        yield path, f"case {dotted((name,))} is worn; name a case with running_cycles 0"
+
+
+def _case_lists(values: dict[str, Any]) -> Iterator[Problem]:
+    lists = {("sweeps", sweep, "cases"): _at(values, f"sweeps.{sweep}.cases") for sweep in SWEEPS}
+    lists[("figures", "diagonal")] = _at(values, "figures.diagonal")
+    for path, names in lists.items():
+        for position, name in enumerate(names or []):
+            if name not in values["cases"]:
+                yield (*path, f"[{position}]"), _no_such_case(name, values["cases"])
+            elif name in names[:position]:
+                yield (*path, f"[{position}]"), f"case {dotted((name,))} is listed twice; take one out"
+
+
+def _portraits(values: dict[str, Any]) -> Iterator[Problem]:
+    cases = _at(values, "cases")
+    for sweep in SWEEPS:
+        for name, drawn in (_at(values, f"portraits.{sweep}") or {}).items():
+            path = ("portraits", sweep, name)
+            swept = _at(values, f"sweeps.{sweep}.cases")
+            if isinstance(cases, dict) and name not in cases:
+                yield path, _no_such_case(name, cases)
+            elif drawn and swept is not None and name not in swept:
+                yield path, f"the case is not swept; add it to sweeps.{sweep}.cases or leave its list empty"
+            ends = _pair(values, f"sweeps.{sweep}.first", f"sweeps.{sweep}.last")
+            for position, value in enumerate(drawn):
+                entry = (*path, f"[{position}]")
+                if ends and ends[0] < ends[1] and not ends[0] <= value <= ends[1]:
+                    yield (
+                        entry,
+                        f"{value} is outside the swept range, {ends[0]} to {ends[1]}; "
+                        f"take it out or widen sweeps.{sweep}",
+                    )
+                if value in drawn[:position]:
+                    yield entry, f"{value} is listed twice; take one out"
+
+
+def _no_such_case(name: str, cases: dict[str, Any]) -> str:
+    near = difflib.get_close_matches(name[:_LONGEST_NAME], list(cases), 1)
+    known = listed([dotted((known,)) for known in cases][:_MOST_NAMED])
+    advice = f"did you mean {dotted((near[0],))}?" if near else f"cases: {known or 'none'}"
+    return f"{shown(name)} is no case ({advice})"

@@ -1,0 +1,169 @@
+"""The table of every variable in the result files: unit, name and dimensions."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+MOTION_CLASSES = {"not_converged": 0, **{f"P{n}": n for n in range(1, 65)}, "QP": 100, "CH": 101}
+
+
+class Field(NamedTuple):
+    """Entry of one variable: unit (empty for flags), name, allowed dimensions, CF flags, may hold nan."""
+
+    units: str
+    long_name: str
+    dims: tuple[tuple[str, ...], ...]
+    flags: dict[str, int] | None = None
+    may_be_missing: bool = False
+
+
+_SCALAR, _GEAR = ((),), (("gear",),)
+_PATH, _BOTH = (("path",),), (("gear", "path"),)
+_PHASE, _POINT = (("mesh_phase",),), (("point",), ())
+
+def field_of(name: str, dims: tuple[str, ...]) -> Field:
+    """Return the entry of a variable; a swept coordinate may share its name with a quantity of the mesh.
+
+    Raises
+    ------
+    ValueError : no such variable, or other dimensions than the table allows.
+    """
+    for field in (FIELDS.get(f"swept {name}"), FIELDS.get(name)):
+        if field is not None and dims in field.dims:
+            return field
+    if name not in FIELDS:
+        raise ValueError(f"{name}: no entry in the table of fields")
+    raise ValueError(f"{name}: dimensions {dims}, expected one of {FIELDS[name].dims}")
+
+
+FIELDS: dict[str, Field] = {
+    # coordinates
+    "gear": Field("", "member of the gear pair", _GEAR),
+    "path": Field("m", "distance of the contact from the base tangent point of the pinion", _PATH),
+    "mesh_phase": Field("1", "part of the mesh period since a pair entered", _PHASE),
+    "pair": Field("", "pair in contact", (("pair",),)),
+    "influence": Field("", "quantity raised by ten per cent", (("influence",),)),
+    "harmonic": Field("1", "order of the mesh frequency", (("harmonic",),)),
+    # geometry
+    "teeth": Field("1", "number of teeth", _GEAR),
+    "module": Field("m", "module", _SCALAR),
+    "face_width": Field("m", "face width", _SCALAR),
+    "pressure_angle": Field("rad", "pressure angle of the basic rack", _SCALAR),
+    "working_pressure_angle": Field("rad", "working pressure angle", _SCALAR),
+    "centre_distance": Field("m", "centre distance", _SCALAR),
+    "base_pitch": Field("m", "base pitch", _SCALAR),
+    "reference_radius": Field("m", "reference radius", _GEAR),
+    "base_radius": Field("m", "base radius", _GEAR),
+    "tip_radius": Field("m", "tip radius", _GEAR),
+    "root_radius": Field("m", "root radius", _GEAR),
+    "bore_radius": Field("m", "bore radius", _GEAR),
+    "tooth_thickness": Field("m", "tooth thickness on the reference circle", _GEAR),
+    "base_half_angle": Field("rad", "half tooth angle on the base circle", _GEAR),
+    "rack_root_angle": Field("rad", "half tooth angle on the root circle, rack formula of the peers", _GEAR),
+    "straight_root_angle": Field("rad", "half tooth angle on the root circle, straight root", _GEAR),
+    "generated_root_angle": Field("rad", "half tooth angle on the root circle, generated fillet", _GEAR),
+    "moment_of_inertia": Field("kg m2", "polar moment of inertia", _GEAR),
+    "equivalent_mass": Field("kg", "equivalent mass on the line of action", _SCALAR),
+    "line_of_action": Field("m", "distance between the base tangent points", _SCALAR),
+    "start_of_contact": Field("m", "path position at the start of contact", _SCALAR),
+    "lowest_single_contact": Field("m", "path position where single contact begins", _SCALAR),
+    "pitch_point": Field("m", "path position of the pitch point", _SCALAR),
+    "highest_single_contact": Field("m", "path position where single contact ends", _SCALAR),
+    "end_of_contact": Field("m", "path position at the end of contact", _SCALAR),
+    "contact_ratio": Field("1", "contact ratio", _SCALAR),
+    "path_phase": Field("1", "mesh phase when the pair is at this position", _PATH),
+    "partner": Field("", "index of the path node of the other pair, -1 for none", _PATH),
+    "mesh_phase_width": Field("1", "width of the cell of the mesh phase", _PHASE),
+    "entering": Field("", "index of the path node of the entering pair", _PHASE),
+    "leaving": Field("", "index of the path node of the leaving pair, -1 for none", _PHASE),
+    # temperature
+    "contact_temperature": Field("degC", "tooth contact temperature", _PATH),
+    "flash_temperature": Field("K", "flash temperature rise", _PATH),
+    "friction_coefficient": Field("1", "coefficient of friction", _PATH),
+    "film_ratio": Field("1", "smallest film thickness over composite roughness", _PATH),
+    "hertz_half_width": Field("m", "half width of the Hertz contact", _PATH),
+    "load_per_width": Field("N m-1", "load of the pair per face width", _PATH),
+    "surface_speed": Field("m s-1", "speed of the flank through the contact", _BOTH),
+    "flash_sensitivity": Field("1", "largest flash temperature over its base value", (("influence",),)),
+    # deformation
+    "thermal_growth": Field("m", "thermal growth of one flank along the line of action", _BOTH),
+    "thermal_growth_flash": Field("m", "growth added if the whole tooth had the flash temperature rise", _BOTH),
+    "involute_error": Field("m", "distance of the hot flank from the hot involute, negative outside", _BOTH),
+    "base_circle_growth": Field("m", "radial thermal growth of the base circle", _GEAR),
+    # wear
+    "wear_depth": Field("m", "wear depth normal to the flank", _BOTH),
+    "wear_per_revolution": Field("m", "wear depth added per revolution of the pinion in the last block", _BOTH),
+    "running_cycles": Field("1", "revolutions of the pinion so far", _SCALAR),
+    # mesh stiffness
+    "mesh_stiffness": Field("N m-1", "mesh stiffness", _PHASE),
+    "pair_stiffness": Field("N m-1", "stiffness of one tooth pair", _PATH),
+    "pair_coupling": Field("m N-1", "deflection of a pair under unit load on the other pair", _PATH),
+    "hertz_compliance": Field("m N-1", "compliance of the Hertz contact", _PATH),
+    "bending_compliance": Field("m N-1", "compliance of the tooth in bending", _BOTH),
+    "shear_compliance": Field("m N-1", "compliance of the tooth in shear", _BOTH),
+    "axial_compliance": Field("m N-1", "compliance of the tooth in axial compression", _BOTH),
+    "foundation_compliance": Field("m N-1", "compliance of the gear body", _BOTH),
+    "youngs_modulus": Field("Pa", "modulus of elasticity at the bulk temperature", _GEAR),
+    # transmission error and load sharing
+    "transmission_error": Field("m", "loaded static transmission error", _PHASE),
+    "load_sharing_factor": Field("1", "part of the mesh force on the pair", (("mesh_phase", "pair"),)),
+    "load_share_path": Field("1", "part of the mesh force on the pair at this position", _PATH),
+    "elastic_deflection": Field("m", "elastic deflection of the pair", _PATH),
+    "effective_stiffness": Field("N m-1", "mesh force over the deflection of the better pair", _PHASE),
+    "profile_error": Field("m", "material removed from the pair, by wear and by heat", _PATH),
+    "sharing_error": Field("m", "material removed from the pair as load sharing sees it", _PATH),
+    # backlash
+    "backlash": Field("m", "half clearance of the entering pair", _PHASE),
+    "backlash_path": Field("m", "half clearance along the path of one pair", _PATH),
+    "initial_half_backlash": Field("m", "half clearance of the cold, unworn, unloaded pair", _SCALAR),
+    # response
+    "mesh_force": Field("N", "dynamic mesh force, mean over the sampled periods", _PHASE),
+    "mesh_force_path": Field(
+        "N", "dynamic mesh force when the pair is at this position", (("response_period", "path"),)
+    ),
+    "displacement": Field(
+        "m", "displacement along the line of action less the transmission error", (("response_period", "path"),)
+    ),
+    "velocity": Field("m s-1", "rate of change of the displacement", (("response_period", "path"),)),
+    "mesh_frequency_ratio": Field("1", "mesh frequency over natural frequency", _SCALAR),
+    "natural_frequency": Field("rad s-1", "natural frequency of the linear mesh", _SCALAR),
+    "mean_force": Field("N", "mean mesh force", _SCALAR),
+    "force_parameter": Field("1", "mean mesh force over mean stiffness times initial half backlash", _SCALAR),
+    "error_amplitude": Field("1", "amplitude of the error excitation over initial half backlash", (("harmonic",),)),
+    "error_phase": Field("rad", "phase of the error excitation, zero at pair entry", (("harmonic",),)),
+    "stiffness_amplitude": Field("1", "amplitude of the stiffness over its mean", (("harmonic",),)),
+    "stiffness_phase": Field("rad", "phase of the stiffness, zero at pair entry", (("harmonic",),)),
+    "mean_clearance": Field("1", "mean half clearance over initial half backlash", _SCALAR),
+    "relative_mean_error": Field("1", "mean transmission error over that of the reference case", _SCALAR),
+    # sweeps and portraits
+    "mesh_frequency": Field("1", "mesh frequency over natural frequency", _POINT),
+    "ste": Field("1", "mean static transmission error over that of the reference case", _POINT),
+    "swept backlash": Field("1", "mean half clearance over its initial value", _POINT),
+    "section_displacement": Field(
+        "1", "displacement at mesh phase 0 over initial half backlash", (("point", "sample"),), None, True
+    ),
+    "section_velocity": Field(
+        "1", "velocity at mesh phase 0 in units of initial half backlash", (("point", "sample"),), None, True
+    ),
+    "motion_class": Field("", "class of the motion", _POINT, MOTION_CLASSES),
+    "period": Field("1", "mesh periods after which the motion repeats, 0 if it does not", _POINT),
+    "recurrence_distance": Field("1", "distance of the section from its repetition", _POINT, None, True),
+    "lyapunov_exponent": Field("1", "largest Lyapunov exponent per unit of dimensionless time", _POINT, None, True),
+    "lyapunov_exponent_error": Field("1", "standard error of the largest Lyapunov exponent", _POINT, None, True),
+    "multiplier_real": Field("1", "real part of the largest Floquet multiplier", _POINT, None, True),
+    "multiplier_imag": Field("1", "imaginary part of the largest Floquet multiplier", _POINT, None, True),
+    "contact_loss_share": Field("1", "part of the time out of contact", _POINT, None, True),
+    "impacts_per_period": Field("1", "contacts made anew per mesh period", _POINT, None, True),
+    "displacement_min": Field("1", "smallest displacement over initial half backlash", _POINT, None, True),
+    "displacement_max": Field("1", "largest displacement over initial half backlash", _POINT, None, True),
+    "force_max": Field("1", "largest mesh force over mean mesh force", _POINT, None, True),
+    "transient_periods": Field("1", "mesh periods left out before the section", _POINT),
+    "reason": Field("", "why the class is not decided", _POINT, {}),
+    "orbit_displacement": Field(
+        "1", "displacement along the orbit over initial half backlash", (("point", "time"),), None, True
+    ),
+    "orbit_velocity": Field(
+        "1", "velocity along the orbit in units of initial half backlash", (("point", "time"),), None, True
+    ),
+    "orbit_period": Field("1", "mesh periods since the orbit began", (("time",),)),
+}

@@ -1,0 +1,149 @@
+"""Check of the whole configuration, with one message that names every problem in it."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import Any
+
+from pydantic import TypeAdapter, ValidationError
+from pydantic.fields import FieldInfo
+
+from gearwear.plumbing.consistency import Problem, disagreements
+from gearwear.plumbing.key_types import Section, adapter, entry_type, is_section, keys, unit_of
+from gearwear.plumbing.study_sections import Configuration
+from gearwear.plumbing.wording import allowed, dotted, listed, refusal, shown
+
+_MOST_LINES = 200
+_LONGEST_KEY = 60
+_UNUSABLE = object()
+_TABLE = "give names of cases with their values below it"
+
+
+class ConfigError(ValueError):
+    """The configuration cannot be used; the message has one line for every problem."""
+
+
+def check(raw: Any) -> dict[str, Any]:
+    """Return the configuration as nested dicts of builtin values, keys in the order of the models.
+
+    Numbers may be spelled as text (`1e-8` is text in YAML 1.1), whole numbers as 2.1e+9.
+
+    Parameters
+    ----------
+    raw : the configuration as read from YAML, overlays merged.
+
+    Raises
+    ------
+    ConfigError : with path, value, allowed values with unit, and remedy for every bad key.
+    """
+    problems: list[Problem] = []
+    values = _read_section(Configuration, raw, (), problems)
+    problems.extend(disagreements(values))
+    if problems:
+        raise ConfigError(_message(problems))
+    return Configuration.model_validate(values).model_dump()
+
+
+def _message(problems: list[Problem]) -> str:
+    count = len(problems)
+    lines = [f"configuration: {count} problem{'s' if count > 1 else ''}"]
+    lines += [f"  {dotted(path)}: {text}" for path, text in problems[:_MOST_LINES]]
+    if count > _MOST_LINES:
+        lines.append(f"  and {count - _MOST_LINES} more")
+    return "\n".join(lines)
+
+
+def _read_section(model: type[Section], raw: Any, path: tuple, problems: list[Problem]) -> dict[str, Any]:
+    fields = model.model_fields
+    found = _grouped(raw, path, f"give the keys {listed(list(fields))} below it", problems)
+    problems.extend(((*path, key), _unknown(key, path, list(fields))) for key in found if key not in fields)
+    values = {}
+    for name, field in fields.items():
+        if name in found:
+            values[name] = _read_key(field, found[name], (*path, name), problems)
+        elif isinstance(raw, Mapping):
+            problems.append(((*path, name), _missing(field)))
+    return _usable(values)
+
+
+def _read_table(field: FieldInfo, raw: Any, path: tuple, problems: list[Problem]) -> Any:
+    entry = entry_type(field.annotation)
+    values = {}
+    for name, item in _grouped(raw, path, _TABLE, problems).items():
+        here = (*path, name)
+        if not isinstance(name, str):
+            problems.append((here, "the name is not text; put it in quotes or choose another"))
+        elif is_section(entry):
+            values[name] = _read_section(entry, item, here, problems)
+        else:
+            values[name] = _read_value(adapter(entry), unit_of(field), item, here, problems)
+    return _usable(values) if isinstance(raw, Mapping) else _UNUSABLE
+
+
+def _read_key(field: FieldInfo, raw: Any, path: tuple, problems: list[Problem]) -> Any:
+    if is_section(field.annotation):
+        return _read_section(field.annotation, raw, path, problems)
+    if entry_type(field.annotation) is not None:
+        return _read_table(field, raw, path, problems)
+    return _read_value(_adapter_of(field), unit_of(field), raw, path, problems)
+
+
+def _read_value(reader: TypeAdapter, unit: str | None, raw: Any, path: tuple, problems: list[Problem]) -> Any:
+    try:
+        return reader.validate_python(raw)
+    except ValidationError as refused:
+        schema = reader.json_schema()
+        told = set()
+        for error in refused.errors(include_url=False):
+            # A choice of types yields one error for each of them; the first says enough.
+            entry = tuple(f"[{part}]" for part in error["loc"] if isinstance(part, int))
+            if entry not in told:
+                told.add(entry)
+                problems.append(((*path, *entry), refusal(error, schema["items"] if entry else schema, unit)))
+        return _UNUSABLE
+
+
+def _grouped(raw: Any, path: tuple, remedy: str, problems: list[Problem]) -> Mapping:
+    if isinstance(raw, Mapping):
+        return raw
+    problems.append((path, f"{shown(raw)} is not a section; {remedy}"))
+    # A dash before every key makes YAML read a list of one-key sections: look at those keys too.
+    groups = [item for item in raw if isinstance(item, Mapping)] if isinstance(raw, list | tuple) else []
+    return {key: group[key] for group in groups for key in group}
+
+
+def _usable(values: dict[str, Any]) -> dict[str, Any]:
+    return {name: value for name, value in values.items() if value is not _UNUSABLE}
+
+
+def _adapter_of(field: FieldInfo) -> TypeAdapter:
+    return adapter(field.annotation, tuple(field.metadata))
+
+
+def _missing(field: FieldInfo) -> str:
+    if is_section(field.annotation):
+        return f"missing section; give its keys {listed(list(field.annotation.model_fields))}"
+    if entry_type(field.annotation) is not None:
+        return f"missing section; {_TABLE}"
+    return f"missing; give {allowed(_adapter_of(field).json_schema(), unit_of(field))}"
+
+
+def _unknown(key: Any, path: tuple, siblings: list[str]) -> str:
+    hints = []
+    if isinstance(key, str):
+        places = _places()
+        if near := difflib.get_close_matches(key[:_LONGEST_KEY], siblings, 1):
+            hints.append(f"did you mean {dotted((*path, near[0]))}?")
+        if exact := [dotted(place) for place in places if place[-1] == key]:
+            hints.append(f"the key of that name is {listed(exact[:3], 'or')}")
+        if not hints:
+            far = difflib.get_close_matches(key[:_LONGEST_KEY], [place[-1] for place in places], 1, 0.75)
+            hints += [f"did you mean {dotted(place)}?" for place in places if place[-1] in far][:1]
+    return f"unknown key ({' '.join(hints)})" if hints else f"unknown key; the keys here are {listed(siblings)}"
+
+
+@lru_cache(maxsize=1)
+def _places() -> tuple[tuple[str, ...], ...]:
+    return tuple(path for path, _ in keys(Configuration))

@@ -1,0 +1,79 @@
+"""Which configuration keys each stage reads: the contract behind every re-run.
+
+`case` stands for the entry of the case at hand in `cases`, `{sweep}` for the name of a sweep.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+_EXCITED = ("dynamics", "settling", "operation.pinion_torque")
+_HOT_STEEL = (
+    "elasticity",
+    "material.pinion.youngs_modulus",
+    "material.pinion.poisson_ratio",
+    "material.pinion.thermal_expansion",
+    "material.gear.youngs_modulus",
+    "material.gear.poisson_ratio",
+    "material.gear.thermal_expansion",
+    "case.bulk_temperature",
+)
+
+STAGES: dict[str, tuple[str, ...]] = {
+    "geometry": ("gear_pair", "grid", "material.pinion.density", "material.gear.density"),
+    "temperature": (
+        "elasticity",
+        "material",
+        "operation",
+        "lubricant",
+        "friction",
+        "mesh_stiffness",
+        "heat.flash_coefficient",
+        "case.bulk_temperature",
+        "case.flash",
+    ),
+    "deformation": (
+        "heat.initial_temperature",
+        "heat.shaft_temperature_drop",
+        "heat.temperature_rise",
+        "heat.hub",
+        "heat.growth",
+        "material.pinion.thermal_expansion",
+        "material.gear.thermal_expansion",
+        "case.bulk_temperature",
+    ),
+    "start_wear": (),
+    "advance_wear": ("wear", "operation", "lubricant", *_HOT_STEEL),
+    "mesh_stiffness": ("mesh_stiffness", *_HOT_STEEL),
+    "transmission_error": ("transmission_error", "operation.pinion_torque"),
+    "backlash": ("backlash",),
+    "response": (*_EXCITED, "operation.pinion_speed"),
+    "sweep": (*_EXCITED, "sweeps.start", "sweeps.{sweep}"),
+    "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
+}
+
+# Keys of a section that a stage passes over. A sweep's list of cases decides which files are made, never what is in them.
+_PASSED_OVER = {"sweep": ("cases",), "portraits": ("cases", "first", "last", "points")}
+
+
+def slice_of(config: dict, stage: str, case: str = "", sweep: str = "") -> dict[str, Any]:
+    """Return the settings `stage` may see, as one nested dict of builtin values with sorted keys."""
+    wanted = list(STAGES[stage])
+    if stage == "mesh_stiffness" and config["mesh_stiffness"]["hertz"] == "weber":
+        wanted.append("operation.pinion_torque")
+    cut: dict[str, Any] = {}
+    for dotted in wanted:
+        path = dotted.format(case=case, sweep=sweep).split(".")
+        source: Any = {**config, "case": config["cases"].get(case)}
+        target = cut
+        for name in path[:-1]:
+            source = source[name]
+            target = target.setdefault(name, {})
+        target[path[-1]] = source[path[-1]]
+    return _tidy(cut, _PASSED_OVER.get(stage, ()))
+
+
+def _tidy(value: Any, passed_over: tuple[str, ...]) -> Any:
+    if isinstance(value, dict):
+        return {key: _tidy(value[key], passed_over) for key in sorted(value) if key not in passed_over}
+    return value

@@ -1,0 +1,62 @@
+"""How a stage job behaves: its log, its failures, its end."""
+
+from __future__ import annotations
+
+import ctypes
+import logging
+import os
+import signal
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+
+from gearwear.plumbing.closure import digest
+
+log = logging.getLogger("gearwear")
+
+_PR_SET_PDEATHSIG = 1
+
+
+@contextmanager
+def logged(job, script: str) -> Iterator[None]:
+    """Run the body of a stage job with its output in the job's log file.
+
+    The job stops with its parent, so that no orphan goes on writing after Snakemake was killed, and
+    refuses to start if its source changed after Snakemake read it, so that no result is mislabelled.
+
+    Parameters
+    ----------
+    job : the `snakemake` object of the script.
+    script : path of the script.
+    """
+    _die_with_parent()
+    with open(job.log[0], "w", buffering=1) as stream:
+        keep = sys.stdout, sys.stderr
+        sys.stdout = sys.stderr = stream
+        handler = logging.StreamHandler(stream)
+        handler.setFormatter(logging.Formatter("%(message)s"))
+        log.addHandler(handler)
+        log.setLevel(logging.INFO)
+        try:
+            if job.params.code != digest(script):
+                raise RuntimeError("the source code changed while the workflow was running: start it again")
+            yield
+        except Exception as error:
+            log.exception("failed: %s", error)
+            raise
+        finally:
+            log.removeHandler(handler)
+            sys.stdout, sys.stderr = keep
+
+
+def announce(sentence: str) -> None:
+    """Say `sentence` in the log and on the screen."""
+    log.info("%s", sentence)
+    print(sentence, file=sys.__stdout__, flush=True)
+
+
+def _die_with_parent() -> None:
+    with suppress(OSError, AttributeError):  # Linux only
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)
+        if os.getppid() == 1:  # the parent was gone before the call
+            raise SystemExit("the workflow that started this job is gone")

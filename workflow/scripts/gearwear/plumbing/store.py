@@ -1,0 +1,136 @@
+"""The one reader and the one writer of netCDF files.
+
+Every array gets its units and name from `fields`; every file carries the settings and the code that
+made it and a lineage, one digest over these and the lineages of its inputs. No time, host or path is
+written: the same configuration gives the same bytes.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+import netCDF4
+import numpy as np
+import xarray as xr
+
+from gearwear.plumbing.fields import field_of
+
+CONVENTIONS = "CF-1.11"
+SOURCE = "gearwear"
+
+
+def load(path: str | Path) -> xr.Dataset:
+    """Read a result of an earlier stage into memory.
+
+    Raises
+    ------
+    ValueError : the file is missing, truncated, not written by this program, or holds a value that
+        is not finite; the message names the file and says what to do.
+    """
+    remedy = "delete it and run the workflow again"
+    try:
+        with xr.open_dataset(path, engine="netcdf4", decode_times=False) as lazy:
+            dataset = lazy.load()
+    except FileNotFoundError:
+        raise ValueError(f"{path}: no such file; run the workflow again to make it") from None
+    except Exception as error:
+        raise ValueError(f"{path}: not a readable netCDF file ({error}); {remedy}") from None
+    if dataset.attrs.get("source") != SOURCE or "lineage" not in dataset.attrs:
+        raise ValueError(f"{path}: not a result of this workflow (no lineage); {remedy}")
+    for name, values in dataset.variables.items():
+        if values.dtype.kind != "f" or field_of(str(name), values.dims).may_be_missing:
+            continue
+        if not np.isfinite(values).all():
+            raise ValueError(f"{path}: {name} holds values that are not finite; {remedy}")
+    return dataset
+
+
+def save(dataset: xr.Dataset, job) -> None:
+    """Write `dataset` as the output of `job`, complete or not at all.
+
+    Parameters
+    ----------
+    dataset : variables and coordinates named in `fields.FIELDS`.
+    job : object with `rule`, `input` (named files), `output`, `params.cfg` and `params.code`.
+
+    Raises
+    ------
+    ValueError : a variable is unknown, has other dimensions than its entry or is not finite.
+    """
+    dataset = dataset.copy()
+    for name in dataset.variables:
+        _describe(dataset, str(name))
+    config = json.dumps(job.params.cfg, sort_keys=True)
+    inputs = {name: _lineages(paths) for name, paths in sorted(job.input.items())}
+    made_of = json.dumps([job.rule, config, job.params.code, inputs], sort_keys=True)
+    dataset.attrs = {
+        "Conventions": CONVENTIONS,
+        "title": f"{job.rule.replace('_', ' ')} of a worn, hot spur gear pair",
+        "source": SOURCE,
+        "stage": job.rule,
+        "config": config,
+        "code": job.params.code,
+        "inputs": json.dumps(inputs, sort_keys=True),
+        "lineage": hashlib.sha256(made_of.encode()).hexdigest()[:16],
+    }
+    encoding = {name: {"_FillValue": None} for name in dataset.variables}
+    with atomic(job.output[0]) as temporary:
+        dataset.to_netcdf(temporary, engine="netcdf4", encoding=encoding)
+
+
+def mesh_states(inputs) -> tuple[xr.Dataset, xr.Dataset]:
+    """Return the mesh of a state and that of the pristine reference case, each as one dataset.
+
+    Parameters
+    ----------
+    inputs : named files `mesh_stiffness`, `transmission_error`, `backlash`, `reference_stiffness`, `reference_error`.
+    """
+    state = [load(path) for path in (inputs.mesh_stiffness, inputs.transmission_error, inputs.backlash)]
+    reference = [load(path) for path in (inputs.reference_stiffness, inputs.reference_error)]
+    return tuple(
+        xr.merge(parts, compat="override", join="override", combine_attrs="drop") for parts in (state, reference)
+    )
+
+
+def lineage(path: str | Path) -> str:
+    """Return the lineage of a result file."""
+    with netCDF4.Dataset(path) as file:
+        return file.lineage
+
+
+def _lineages(paths) -> str:
+    """Return the lineage of one file, or those of several, each once: parts of one whole share theirs."""
+    several = [paths] if isinstance(paths, str | Path) else paths
+    return " ".join(sorted({lineage(path) for path in several}))
+
+
+@contextmanager
+def atomic(path: str | Path) -> Iterator[str]:
+    """Give a temporary name beside `path` that becomes `path` only if the body succeeds."""
+    temporary = f"{path}.{os.getpid()}.tmp"
+    try:
+        yield temporary
+        with open(temporary, "rb") as file:
+            os.fsync(file.fileno())
+        os.replace(temporary, path)
+    finally:
+        with suppress(FileNotFoundError):
+            os.remove(temporary)
+
+
+def _describe(dataset: xr.Dataset, name: str) -> None:
+    values = dataset[name]
+    field = field_of(name, values.dims)
+    if values.dtype.kind == "f" and not field.may_be_missing and not np.isfinite(values).all():
+        raise ValueError(f"{name}: holds values that are not finite")
+    values.attrs = {"long_name": field.long_name}
+    if field.units:
+        values.attrs["units"] = field.units
+    if field.flags:
+        numbers = np.array(list(field.flags.values()), dtype=values.dtype)
+        values.attrs |= {"flag_values": numbers, "flag_meanings": " ".join(field.flags)}

@@ -1,0 +1,235 @@
+"""Sections of the configuration that describe wear, vibration and the study, and the whole of it."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from gearwear.plumbing.gear_sections import (
+    Backlash,
+    Elasticity,
+    Friction,
+    GearPair,
+    Grid,
+    Heat,
+    Lubricant,
+    Material,
+    MeshStiffness,
+    Operation,
+    TransmissionError,
+)
+from gearwear.plumbing.key_types import (
+    CaseName,
+    Flag,
+    Name,
+    Names,
+    Number,
+    Numbers,
+    ReadWhole,
+    Section,
+    Whole,
+    choice,
+    plain,
+    quantity,
+    target,
+)
+
+MOST_CYCLES = 10**12
+_Order = Annotated[int, Field(ge=1, le=64), ReadWhole]
+
+
+class Wear(Section):
+    """Wear of the flanks."""
+
+    cycles_per_update: Whole = quantity(
+        "1", "Pinion revolutions between two updates of the worn profile.", ge=1, le=MOST_CYCLES
+    )
+    law: Literal["janakiraman", "constant"] = choice(
+        "Wear coefficient",
+        janakiraman="regression in load, lubricant and roughness (Janakiraman et al. 2014)",
+        constant="the key coefficient",
+    )
+    coefficient: Number = quantity("m2/N", "Wear coefficient of law constant; 0 = no wear.", ge=0.0, le=1e-9)
+    force: Literal["dynamic", "quasi_static"] = choice(
+        "Force in the wear law",
+        dynamic="mesh force of the steady state",
+        quasi_static="mean mesh force",
+    )
+    pressure: Literal["mean", "peak"] = choice(
+        "Hertz pressure in the wear law",
+        mean="mean, exact for a whole passage",
+        peak="peak, 4/pi times it",
+    )
+    gear_cycles: Literal["tooth_ratio", "pinion"] = choice(
+        "Cycles of a gear tooth",
+        tooth_ratio="those of a pinion tooth times z_p/z_g",
+        pinion="as many as a pinion tooth",
+    )
+
+
+class TorqueFluctuation(Section):
+    """External harmonic torque."""
+
+    amplitude: Number = quantity("1", "Amplitude over the mean mesh force; 0 = none.", ge=0.0, le=5.0)
+    frequency_ratio: Number = quantity("1", "Its frequency over the mesh frequency.", gt=0.0, le=100.0)
+    phase: Number = quantity("rad", "Phase at the entry of a tooth pair.", ge=-6.2832, le=6.2832)
+
+
+class Start(Section):
+    """Initial state of the oscillator."""
+
+    displacement: Number = quantity("1", "Initial displacement over the half backlash.", ge=-100.0, le=100.0)
+    velocity: Number = quantity(
+        "1", "Initial velocity over half backlash times natural frequency.", ge=-100.0, le=100.0
+    )
+
+
+class Dynamics(Section):
+    """Torsional oscillator with backlash."""
+
+    reference_case: Name = plain(
+        "Case whose mean transmission error and stiffness scale the excitation; it has no wear."
+    )
+    damping_ratio: Number = quantity("1", "Damping ratio of the mesh.", ge=1e-4, lt=1.0)
+    stiffness: Literal["nominal", "effective"] = choice(
+        "Mesh stiffness in the equation of motion",
+        nominal="sum of the pairs",
+        effective="force over deflection, errors of the flanks included (Chen and Shao 2013)",
+    )
+    harmonics: _Order | Literal["full"] = quantity(
+        "1",
+        "Harmonics kept of mesh stiffness and transmission error; full = the tables themselves.",
+    )
+    ste_amplitude: Literal["nominal", "mean", "harmonic"] = choice(
+        "Amplitude of the transmission error excitation",
+        nominal="static deflection of the reference case times the relative mean transmission error",
+        mean="mean transmission error",
+        harmonic="first harmonic of the transmission error",
+    )
+    clearance: Literal["mean", "varying"] = choice(
+        "Backlash in the equation of motion",
+        mean="mean over the mesh period",
+        varying="function of the mesh phase",
+    )
+    torque_fluctuation: TorqueFluctuation
+    tolerance: Number = quantity("1", "Relative tolerance of the integrator.", ge=1e-13, le=1e-4)
+    start: Start
+
+
+class Settling(Section):
+    """When a motion counts as steady, and how it is classified."""
+
+    transient_periods: Whole = quantity("1", "Mesh periods before the first look.", ge=1, le=1_000_000)
+    longest_transient: Whole = quantity(
+        "1", "Mesh periods after which a point is given up as not converged.", ge=1, le=10_000_000
+    )
+    sampled_periods: Whole = quantity("1", "Mesh periods of the Poincare section.", ge=3, le=1_000_000)
+    largest_period: Whole = quantity("1", "Longest period looked for, in mesh periods.", ge=1, le=1000)
+    recurrence_tolerance: Number = quantity(
+        "1", "Distance of points that count as the same, over the half backlash.", ge=1e-12, le=1e-2
+    )
+    chaos_threshold: Number = quantity(
+        "1", "Least Lyapunov exponent per unit of dimensionless time that is called chaos.", gt=0.0, le=1.0
+    )
+
+
+class Case(Section):
+    """One state of temperature and wear."""
+
+    bulk_temperature: Number = quantity("degC", "Bulk temperature of both gears.", ge=-40.0, le=250.0)
+    running_cycles: Whole = target(
+        "Pinion revolutions of the wear chain; 0 = unworn. A whole multiple of wear.cycles_per_update.",
+        "1",
+        ge=0,
+        le=MOST_CYCLES,
+    )
+    flash: Flag = plain("Whether flash temperature is added to the bulk temperature.")
+
+
+_SWEPT_CASES = "Cases for which the sweep is made."
+
+
+class MeshFrequencySweep(Section):
+    """Sweep of the mesh frequency over the natural frequency."""
+
+    cases: Names = target(_SWEPT_CASES, min_length=1)
+    first: Number = quantity("1", "First mesh frequency over the natural frequency.", ge=0.01, le=10.0)
+    last: Number = quantity("1", "Last mesh frequency over the natural frequency.", ge=0.01, le=10.0)
+    points: Whole = quantity("1", "Number of points, ends included.", ge=2, le=20001)
+
+
+class SteSweep(Section):
+    """Sweep of the mean static transmission error over that of the reference case."""
+
+    cases: Names = target(_SWEPT_CASES, min_length=1)
+    first: Number = quantity("1", "First relative mean transmission error.", ge=0.0, le=20.0)
+    last: Number = quantity("1", "Last relative mean transmission error.", ge=0.0, le=20.0)
+    points: Whole = quantity("1", "Number of points, ends included.", ge=2, le=20001)
+    mesh_frequency: Number = quantity("1", "Mesh frequency over the natural frequency.", ge=0.01, le=10.0)
+
+
+class BacklashSweep(Section):
+    """Sweep of the mean backlash over its initial value."""
+
+    cases: Names = target(_SWEPT_CASES, min_length=1)
+    first: Number = quantity("1", "First relative mean backlash.", ge=0.01, le=20.0)
+    last: Number = quantity("1", "Last relative mean backlash.", ge=0.01, le=20.0)
+    points: Whole = quantity("1", "Number of points, ends included.", ge=2, le=20001)
+    mesh_frequency: Number = quantity("1", "Mesh frequency over the natural frequency.", ge=0.01, le=10.0)
+    reading: Literal["rescale", "clearance"] = choice(
+        "What the swept backlash changes",
+        rescale="the unit of length, hence the relative excitation",
+        clearance="only the clearance of the restoring force",
+    )
+
+
+class Sweeps(Section):
+    """Ranges over which the motion is followed."""
+
+    start: Literal["restart", "up", "down"] = choice(
+        "State at the start of a point",
+        restart="dynamics.start at every point",
+        up="that of the next lower point",
+        down="that of the next higher point",
+    )
+    mesh_frequency: MeshFrequencySweep
+    ste: SteSweep
+    backlash: BacklashSweep
+
+
+class Portraits(Section):
+    """Swept values whose phase portraits are drawn, by case; an empty list draws none."""
+
+    mesh_frequency: dict[CaseName, Numbers] = quantity("1", "Mesh frequencies of the phase portraits.")
+    ste: dict[CaseName, Numbers] = quantity("1", "Relative mean transmission errors of the phase portraits.")
+    backlash: dict[CaseName, Numbers] = quantity("1", "Relative mean backlashes of the phase portraits.")
+
+
+class Figures(Section):
+    """States drawn side by side."""
+
+    diagonal: Names = target("Cases of Figs 6 to 11, from new to worn.", min_length=2, max_length=6)
+
+
+class Configuration(Section):
+    """Everything a run of the workflow can be told."""
+
+    gear_pair: GearPair
+    grid: Grid
+    material: Material
+    elasticity: Elasticity
+    operation: Operation
+    lubricant: Lubricant
+    friction: Friction
+    heat: Heat
+    mesh_stiffness: MeshStiffness
+    transmission_error: TransmissionError
+    backlash: Backlash
+    wear: Wear
+    dynamics: Dynamics
+    settling: Settling
+    cases: dict[CaseName, Case]
+    sweeps: Sweeps
+    portraits: Portraits
+    figures: Figures

@@ -1,0 +1,1 @@
+"""Film thickness, wear coefficient and the wear depth of the flanks."""

@@ -1,0 +1,22 @@
+"""Figure 7: thermal growth of one flank of either gear along the path of contact."""
+
+from typing import TYPE_CHECKING
+
+from gearwear.drawing import flanks
+from gearwear.drawing.sheet import DOUBLE, sheet
+from gearwear.plumbing import stage, store
+
+if TYPE_CHECKING:
+    from snakemake.iocontainers import snakemake
+
+
+def main(job):
+    geometry = store.load(job.input.geometry)
+    growths = [store.load(path)["thermal_growth"] for path in job.input.deformation]
+    with sheet(job, DOUBLE, 68) as figure:
+        flanks.draw(figure, geometry, growths, job.params.cfg["states"], "Thermal growth of one flank (µm)")
+
+
+if __name__ == "__main__":
+    with stage.logged(snakemake, __file__):
+        main(snakemake)

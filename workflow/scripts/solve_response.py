@@ -1,0 +1,74 @@
+"""Steady response at the running speed and the dynamic mesh force along the path of contact."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+from gearwear.dynamics.attractors import class_name, settle
+
+from gearwear.dynamics.excitation import excitation
+from gearwear.dynamics.motion import trace
+from gearwear.dynamics.oscillator import mesh_force
+from gearwear.dynamics.periodic import Harmonics
+from gearwear.geometry.kinematics import angular_speed
+from gearwear.plumbing import stage, store
+
+if TYPE_CHECKING:
+    from snakemake.iocontainers import snakemake
+
+
+def main(job):
+    cfg, geometry = job.params.cfg, store.load(job.input.geometry)
+    dynamics, speed = cfg["dynamics"], cfg["operation"]["pinion_speed"]
+    state, reference = store.mesh_states(job.input)
+    source = excitation(geometry, state, reference, cfg["operation"]["pinion_torque"], dynamics)
+    mesh_frequency = float(geometry["teeth"][0]) * angular_speed(geometry, speed)[0]
+    ratio = mesh_frequency / source.natural_frequency
+    oscillator = source.oscillator(dynamics, ratio)
+    start = (dynamics["start"]["displacement"], dynamics["start"]["velocity"])
+    attractor = settle(oscillator, start, tolerance=dynamics["tolerance"], **cfg["settling"])
+    stage.log.info("mesh frequency ratio %.4f: %s", ratio, class_name(attractor.motion_class))
+    if not attractor.motion_class:
+        stage.log.warning("warning: the response did not settle; the wear is the mean over the sampled periods")
+    periods = attractor.period or cfg["settling"]["sampled_periods"]
+    path_phase = geometry["path_phase"].values
+    phases, node = np.unique(path_phase, return_inverse=True)
+    displacement, velocity = (
+        one[:, node]
+        for one in trace(
+            oscillator, attractor.state, phases, periods, attractor.first_period, dynamics["tolerance"]
+        )
+    )
+    # where two pairs meet one, a node of the double zone belongs to the phase just before
+    side = np.where((geometry["partner"].values >= 0) & (path_phase > 0), np.nextafter(path_phase, 0), path_phase)
+    force = source.mean_stiffness * source.length * mesh_force(oscillator, side, displacement)
+    along = ("response_period", "path")
+    speed_unit = source.length * source.natural_frequency
+    values = {
+        "mesh_force": ("mesh_phase", force[:, geometry["entering"].values].mean(axis=0)),
+        "mesh_force_path": (along, force),
+        "displacement": (along, source.length * displacement),
+        "velocity": (along, speed_unit * velocity),
+        "mesh_frequency_ratio": ratio,
+        "natural_frequency": source.natural_frequency,
+        "mean_force": source.mean_force,
+        "force_parameter": source.force_parameter,
+        "relative_mean_error": source.relative_mean_error,
+        "mean_clearance": source.clearance.mean,
+        "error_amplitude": source.error_amplitude,
+        "motion_class": attractor.motion_class,
+        "lyapunov_exponent": attractor.lyapunov_exponent,
+        "contact_loss_share": attractor.contact_loss_share,
+    }
+    if isinstance(source.stiffness, Harmonics):
+        values["stiffness_amplitude"] = ("harmonic", np.array(source.stiffness.amplitudes))
+        values["stiffness_phase"] = ("harmonic", np.array(source.stiffness.phases))
+        values["error_phase"] = ("harmonic", np.array(source.shape.phases))
+        values["harmonic"] = ("harmonic", np.arange(1.0, len(source.stiffness.amplitudes) + 1))
+    coords = {name: geometry[name] for name in ("path", "mesh_phase")}
+    store.save(xr.Dataset(values, coords), job)
+
+
+if __name__ == "__main__":
+    with stage.logged(snakemake, __file__):
+        main(snakemake)

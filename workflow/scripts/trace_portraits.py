@@ -1,0 +1,49 @@
+"""Phase portraits and sections at the values of a sweep that the figures show."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+from gearwear.dynamics.attractors import settle
+from gearwear.dynamics.evidence import columns
+
+from gearwear.dynamics.excitation import excitation, swept_oscillator
+from gearwear.dynamics.motion import trace
+from gearwear.plumbing import stage, store
+
+if TYPE_CHECKING:
+    from snakemake.iocontainers import snakemake
+
+STEPS = 128  # points of an orbit per mesh period
+LONGEST = 80  # mesh periods of an orbit that does not repeat
+
+
+def main(job):
+    cfg, geometry, sweep = job.params.cfg, store.load(job.input.geometry), job.wildcards.sweep
+    dynamics, swept = cfg["dynamics"], cfg["sweeps"][sweep]
+    state, reference = store.mesh_states(job.input)
+    source = excitation(geometry, state, reference, cfg["operation"]["pinion_torque"], dynamics)
+    values = np.array(cfg["portraits"][sweep][job.wildcards.case])
+    rest = (dynamics["start"]["displacement"], dynamics["start"]["velocity"])
+    phases = np.arange(STEPS) / STEPS
+    orbits = np.full((2, len(values), LONGEST * STEPS + 1), np.nan)
+    motions = []
+    for i, value in enumerate(values):
+        oscillator = swept_oscillator(source, sweep, float(value), dynamics, swept)
+        motion = settle(oscillator, rest, tolerance=dynamics["tolerance"], **cfg["settling"])
+        motions.append(motion)
+        periods = motion.period or LONGEST
+        runs = trace(oscillator, motion.state, phases, periods + 1, motion.first_period, dynamics["tolerance"])
+        for orbit, run in zip(orbits[:, i], runs, strict=True):
+            orbit[: periods * STEPS + 1] = run.ravel()[: periods * STEPS + 1]
+    stage.log.info("%d portraits of %s traced", len(values), sweep)
+    table = columns(motions, cfg["settling"]["sampled_periods"], source.force_parameter)
+    table["orbit_displacement"] = (("point", "time"), orbits[0])
+    table["orbit_velocity"] = (("point", "time"), orbits[1])
+    table["orbit_period"] = ("time", np.arange(LONGEST * STEPS + 1) / STEPS)
+    store.save(xr.Dataset(table, {sweep: ("point", values)}), job)
+
+
+if __name__ == "__main__":
+    with stage.logged(snakemake, __file__):
+        main(snakemake)
