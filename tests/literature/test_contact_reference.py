@@ -5,6 +5,7 @@ Steel on steel, radii 8 and 24 mm, 200 N/mm, 3000 rpm at a ratio of 25/40, hot m
 
 import numpy as np
 import pytest
+
 from gearwear.wear.archard import boundary_wear_coefficient, film_factor, wear_per_revolution
 from gearwear.wear.film import contact_modulus, film_thickness, hertz_half_width, hertz_peak_pressure
 
@@ -17,7 +18,7 @@ DIGITS = 6e-10
 
 
 def reference(value):
-    return pytest.approx(value, rel=DIGITS)
+    return pytest.approx(value, rel=DIGITS, abs=0)
 
 
 def test_contact_modulus_and_radius():
@@ -33,17 +34,17 @@ def test_hertz_contact():
 
 
 def test_speeds_and_sliding_distance():
-    assert reference(pytest.approx([2.513274123, 4.712388980], rel=DIGITS).expected) == SPEED
+    assert pytest.approx([2.513274123, 4.712388980], rel=DIGITS, abs=0) == SPEED
     assert SPEED.mean() == reference(3.612831552)
     band = 2 * hertz_half_width(LOAD, RADIUS, MODULUS)
-    assert band * abs(1 - SPEED[::-1] / SPEED) == pytest.approx([2.033226750e-4, 1.084387600e-4], rel=DIGITS)
+    assert band * abs(1 - SPEED[::-1] / SPEED) == pytest.approx([2.033226750e-4, 1.084387600e-4], rel=DIGITS, abs=0)
 
 
 def test_dimensionless_groups():
     assert VISCOSITY * SPEED.mean() / (MODULUS * RADIUS) == reference(2.500336658e-11)
-    assert PRESSURE_VISCOSITY * MODULUS == reference(4527.472527)
-    assert LOAD / (MODULUS * RADIUS) == reference(1.472491909e-4)
-    assert ROUGHNESS / RADIUS == reference(8.333333333e-5)
+    assert reference(4527.472527) == PRESSURE_VISCOSITY * MODULUS
+    assert reference(1.472491909e-4) == LOAD / (MODULUS * RADIUS)
+    assert reference(8.333333333e-5) == ROUGHNESS / RADIUS
 
 
 def test_film_of_hamrock_and_dowson():
@@ -71,7 +72,7 @@ def test_wear_of_one_passage():
         0.0,
         "mean",
     )
-    assert depth[:, 0] == pytest.approx([2.322701994e-15, 1.238774397e-15], rel=DIGITS)
+    assert depth[:, 0] == pytest.approx([2.322701994e-15, 1.238774397e-15], rel=DIGITS, abs=0)
 
 
 @pytest.mark.parametrize(("film_ratio", "factor"), [(0, 1), (0.5, 1), (1, 6 / 7), (2, 4 / 7), (4, 0)])
@@ -97,22 +98,21 @@ def test_size_of_the_wear_coefficient_of_steel_gears(pressure_viscosity):
         for roughness in (0.3e-6, 0.5e-6, 1.0e-6)
         for load in (1e5, 2e5, 4e5)
     ]
-    assert computed == pytest.approx(MAGNITUDES[pressure_viscosity], rel=0.05)
+    assert computed == pytest.approx(MAGNITUDES[pressure_viscosity], rel=0.05, abs=0)
 
 
-@pytest.mark.parametrize("roughness", [0.5e-6, 1.0e-6])
-def test_known_constant_coefficient_is_in_reach_of_hot_thin_oil(roughness):
-    # 9.65e-19 m2/N: Bajpai, Kahraman and Anderson, J. Tribol. 126 (2004)
-    radius = 10e-3
-    load = 1.3e-4 * MODULUS * radius
-    low, high = (boundary_wear_coefficient(load, radius, MODULUS, g / MODULUS, roughness) for g in (2600.0, 2200.0))
-    assert low < 9.65e-19 < high or low == pytest.approx(9.65e-19, rel=0.5) or high == pytest.approx(9.65e-19, rel=0.5)
+@pytest.mark.parametrize(("relative_roughness", "group"), [(5e-5, 2200), (1e-4, 2600)])
+def test_known_constant_coefficient_is_that_of_hot_thin_oil(relative_roughness, group):
+    # 9.65e-19 m2/N: Bajpai, Kahraman and Anderson, J. Tribol. 126 (2004); group = alpha E' that gives it
+    radius, load = 10e-3, 1.3e-4 * MODULUS * 10e-3
+    at_2400 = boundary_wear_coefficient(load, radius, MODULUS, 2400 / MODULUS, relative_roughness * radius)
+    assert 2400 * (at_2400 / 9.65e-19) ** (1 / 7.377) == pytest.approx(group, rel=0.03, abs=0)
 
 
 @pytest.mark.parametrize("viscosity", [6.5e-3, 16e-3, 40e-3])
 @pytest.mark.parametrize("speed", [1.0, 5.0, 20.0])
 def test_line_contact_film_of_dowson_and_higginson_is_near(viscosity, speed):
-    # another regression, for line contacts: 2.65 R U^0.7 G^0.54 L^-0.13; some 7 to 18 % thicker in the reference contact
+    # another regression, for line contacts: 2.65 R U^0.7 G^0.54 L^-0.13; some 7 to 20 % thicker in this contact
     line = (
         2.65
         * RADIUS

@@ -1,4 +1,5 @@
-STYLE = Path(workflow.basedir) / "workflow" / "report" / "gearwear.mplstyle"
+STYLE = str(Path(workflow.basedir) / "workflow" / "report" / "gearwear.mplstyle")
+CLAIMS = str(Path(workflow.basedir) / "config" / "paper_claims.yaml")
 
 
 def figures():
@@ -26,6 +27,11 @@ def drawn_states():
     return [drawn_state(case) for case in config["figures"]["diagonal"]]
 
 
+def swept(sweep):
+    """What a figure says of its sweep: the section of the sweep without what decides files only."""
+    return {key: value for key, value in config["sweeps"][sweep].items() if key not in ("cases", "points")}
+
+
 def caption(number):
     """The caption of a figure in the report."""
     return str(Path(workflow.basedir) / "workflow" / "report" / f"fig{number}.rst")
@@ -33,7 +39,7 @@ def caption(number):
 
 rule judge_claims:
     input:
-        claims=str(Path(workflow.basedir) / "config" / "paper_claims.yaml"),
+        claims=CLAIMS,
         results=[
             "results/geometry.nc",
             *diagonal("results/{case}/temperature.nc"),
@@ -232,6 +238,7 @@ rule plot_frequency_sweep:
             f"results/{case}/sweeps/mesh_frequency.nc"
             for case in config["sweeps"]["mesh_frequency"]["cases"]
         ],
+        claims=CLAIMS,
         style=STYLE,
     output:
         svg=report(
@@ -248,6 +255,7 @@ rule plot_frequency_sweep:
     params:
         cfg={
             "sweep": "mesh_frequency",
+            "swept": swept("mesh_frequency"),
             "states": [
                 drawn_state(case)
                 for case in config["sweeps"]["mesh_frequency"]["cases"]
@@ -277,7 +285,7 @@ rule plot_portraits_cold:
     benchmark:
         "results/benchmarks/plot_portraits_cold.tsv"
     params:
-        cfg={"sweep": "mesh_frequency", "state": drawn_state("without")},
+        cfg={"sweep": "mesh_frequency", "swept": swept("mesh_frequency"), "state": drawn_state("without")},
         code=code("plot_portraits.py"),
     message:
         "Figure 13: phase portraits over the mesh frequency, cold and unworn."
@@ -302,7 +310,7 @@ rule plot_portraits_hot:
     benchmark:
         "results/benchmarks/plot_portraits_hot.tsv"
     params:
-        cfg={"sweep": "mesh_frequency", "state": drawn_state("with")},
+        cfg={"sweep": "mesh_frequency", "swept": swept("mesh_frequency"), "state": drawn_state("with")},
         code=code("plot_portraits.py"),
     message:
         "Figure 14: phase portraits over the mesh frequency, hot and worn."
@@ -316,6 +324,7 @@ rule plot_ste_sweep:
             f"results/{case}/sweeps/ste.nc"
             for case in config["sweeps"]["ste"]["cases"]
         ],
+        claims=CLAIMS,
         style=STYLE,
     output:
         svg=report(
@@ -332,6 +341,7 @@ rule plot_ste_sweep:
     params:
         cfg={
             "sweep": "ste",
+            "swept": swept("ste"),
             "states": [drawn_state(case) for case in config["sweeps"]["ste"]["cases"]],
         },
         code=code("plot_bifurcation.py"),
@@ -358,7 +368,7 @@ rule plot_portraits_ste:
     benchmark:
         "results/benchmarks/plot_portraits_ste.tsv"
     params:
-        cfg={"sweep": "ste", "state": drawn_state("with")},
+        cfg={"sweep": "ste", "swept": swept("ste"), "state": drawn_state("with")},
         code=code("plot_portraits.py"),
     message:
         "Figure 16: phase portraits over the transmission error."
@@ -372,6 +382,7 @@ rule plot_backlash_sweep:
             f"results/{case}/sweeps/backlash.nc"
             for case in config["sweeps"]["backlash"]["cases"]
         ],
+        claims=CLAIMS,
         style=STYLE,
     output:
         svg=report(
@@ -388,6 +399,7 @@ rule plot_backlash_sweep:
     params:
         cfg={
             "sweep": "backlash",
+            "swept": swept("backlash"),
             "states": [
                 drawn_state(case) for case in config["sweeps"]["backlash"]["cases"]
             ],
@@ -416,7 +428,7 @@ rule plot_portraits_backlash:
     benchmark:
         "results/benchmarks/plot_portraits_backlash.tsv"
     params:
-        cfg={"sweep": "backlash", "state": drawn_state("with")},
+        cfg={"sweep": "backlash", "swept": swept("backlash"), "state": drawn_state("with")},
         code=code("plot_portraits.py"),
     message:
         "Figure 18: phase portraits over the backlash."

@@ -26,10 +26,7 @@ def main(job):
     modulus = hot_modulus(material, cfg["elasticity"], bulk)
     poisson = each({name: material[name]["poisson_ratio"] for name in GEARS})
     effusivity = each(
-        {
-            name: np.sqrt(m["thermal_conductivity"] * m["density"] * m["specific_heat"])
-            for name, m in material.items()
-        }
+        {name: np.sqrt(m["thermal_conductivity"] * m["density"] * m["specific_heat"]) for name, m in material.items()}
     )
     pristine = Flanks(*np.zeros((2, 2, geometry.sizes["path"])))
 

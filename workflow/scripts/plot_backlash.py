@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.drawing import path_axis, states
+from gearwear.drawing import legend, path_axis, states
 from gearwear.drawing.sheet import SINGLE, sheet
 from gearwear.plumbing import stage, store
 
@@ -22,7 +22,7 @@ def main(job):
         path_axis.mark(axes, geometry)
         axes.set_ylabel("Half backlash (µm)")
         lines, _ = axes.get_legend_handles_labels()
-        figure.legend(handles=[*lines, *path_axis.keys()], loc="outside upper center", ncols=2)
+        legend.above(figure, [*lines, *path_axis.keys()], 2)
 
 
 if __name__ == "__main__":

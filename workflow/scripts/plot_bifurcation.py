@@ -16,8 +16,9 @@ if TYPE_CHECKING:
 def windows(claims, sweep, case):
     """Return (first, last, class) of the windows of motion that the paper names."""
     for claim in claims:
-        cases = claim.get("case", [])
-        if claim["kind"] == "window" and claim["sweep"] == sweep and case in ([cases] if cases == case else cases):
+        if claim["kind"] != "window" or claim["sweep"] != sweep:
+            continue
+        if case in ([claim["case"]] if isinstance(claim["case"], str) else claim["case"]):
             yield *claim["range"], claim["class"][0]
 
 

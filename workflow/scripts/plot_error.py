@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.drawing import path_axis, phase_axis, states
+from gearwear.drawing import legend, path_axis, phase_axis, states
 from gearwear.drawing.sheet import DOUBLE, letter, sheet
 from gearwear.plumbing import stage, store
 
@@ -27,7 +27,7 @@ def main(job):
             axes.set_ylabel(labels[position])
         lines, _ = panels[0].get_legend_handles_labels()
         keys = [*lines, *path_axis.keys(with_pitch_point=False)]
-        figure.legend(handles=keys, loc="outside upper center", ncols=len(keys))
+        legend.above(figure, keys, len(drawn))
 
 
 if __name__ == "__main__":

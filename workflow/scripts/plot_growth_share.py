@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from gearwear.claims.path_measures import path_mean
-from gearwear.drawing import path_axis, states
+from gearwear.drawing import legend, path_axis, states
 from gearwear.drawing.sheet import DOUBLE, letter, sheet
 from gearwear.plumbing import stage, store
 
@@ -30,26 +30,27 @@ def lengths(job):
 def main(job):
     geometry, drawn = store.load(job.input.geometry), job.params.cfg["states"]
     fields = list(lengths(job))
-    means = 1e6 * np.array([[path_mean(field) for field in state] for state in fields])
+    means = np.array([[1e6 * path_mean(field) for field in state] for state in fields])
+    means = np.round(means, 3) + 0.0  # no label may read -0.0
     with sheet(job, DOUBLE, 72) as figure:
-        along, grouped = figure.subplots(1, 2, sharey=True)
-        width = 0.8 / len(QUANTITIES)
+        along, grouped = figure.subplots(1, 2, sharey=True, width_ratios=(1, 1.15))
+        width = 0.84 / len(QUANTITIES)
         for place, (label, line) in enumerate(QUANTITIES.items()):
             path_axis.draw(along, fields[-1][place], 1e6, label=label, **line)
             along.axhline(means[-1, place], 0, 1, color=line["color"], linewidth=0.6)
             at = np.arange(len(drawn)) + (place - 1) * width
             bars = grouped.bar(at, means[:, place], width, color=line["color"])
-            grouped.bar_label(bars, fmt="%.1f", padding=1.5, fontsize=6)
+            grouped.bar_label(bars, fmt="%.1f", padding=1.5, fontsize=6.5)
         path_axis.mark(along, geometry)
         along.set_ylabel("Length on the line of action (µm)")
-        along.set_ylim(0, 1.06 * 1e6 * max(float(field.max()) for state in fields for field in state))
+        along.set_ylim(0, 1.08 * 1e6 * max(float(field.max()) for state in fields for field in state))
         along.set_title(f"{letter(0)} {states.name(drawn[-1])}; thin lines: means", loc="left")
         grouped.set_title(f"{letter(1)} Means over the path", loc="left")
         grouped.set_xticks(range(len(drawn)), [f"{states.temperature(s)}\n{states.cycles(s)}" for s in drawn])
         grouped.tick_params(axis="x", which="both", length=0)
         lines, _ = along.get_legend_handles_labels()
         keys = [*lines, *path_axis.keys()]
-        figure.legend(handles=keys, loc="outside upper center", ncols=len(keys))
+        legend.above(figure, keys, len(keys))
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from matplotlib.lines import Line2D
 
-from gearwear.drawing import path_axis, phase_axis, states
+from gearwear.drawing import legend, path_axis, phase_axis, states
 from gearwear.drawing.sheet import DOUBLE, letter, sheet
 from gearwear.plumbing import stage, store
 
@@ -36,7 +36,7 @@ def main(job):
         colours = [Line2D([], [], color=states.colour(i), label=states.name(one)) for i, one in enumerate(drawn)]
         kinds = [Line2D([], [], color="black", dashes=dashes, label=kind) for kind, dashes in LINES.items()]
         keys = [*colours, *kinds, *path_axis.keys(with_pitch_point=False)]
-        figure.legend(handles=keys, loc="outside upper center", ncols=len(drawn))
+        legend.above(figure, keys, len(drawn))
 
 
 if __name__ == "__main__":

@@ -11,10 +11,10 @@ if TYPE_CHECKING:
 
 
 def main(job):
-    geometry = store.load(job.input.geometry)
+    geometry, drawn = store.load(job.input.geometry), job.params.cfg["states"]
     depths = [store.load(path)["wear_depth"] for path in job.input.wear]
-    with sheet(job, DOUBLE, 68) as figure:
-        flanks.draw(figure, geometry, depths, job.params.cfg["states"], "Wear depth (µm)")
+    with sheet(job, DOUBLE, 105) as figure:
+        flanks.draw(figure, geometry, depths, drawn, "Wear depth (µm)", enlarged=True)
 
 
 if __name__ == "__main__":

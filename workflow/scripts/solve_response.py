@@ -4,11 +4,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
-from gearwear.dynamics.attractors import class_name, settle
 
-from gearwear.dynamics.excitation import excitation
+from gearwear.dynamics.attractors import Settling, settle
+from gearwear.dynamics.evidence import end_of
+from gearwear.dynamics.excitation import excitation, rest_state, restoring_force
 from gearwear.dynamics.motion import trace
-from gearwear.dynamics.oscillator import mesh_force
+from gearwear.dynamics.motion_class import class_name
 from gearwear.dynamics.periodic import Harmonics
 from gearwear.geometry.kinematics import angular_speed
 from gearwear.plumbing import stage, store
@@ -25,23 +26,21 @@ def main(job):
     mesh_frequency = float(geometry["teeth"][0]) * angular_speed(geometry, speed)[0]
     ratio = mesh_frequency / source.natural_frequency
     oscillator = source.oscillator(dynamics, ratio)
-    start = (dynamics["start"]["displacement"], dynamics["start"]["velocity"])
-    attractor = settle(oscillator, start, tolerance=dynamics["tolerance"], **cfg["settling"])
-    stage.log.info("mesh frequency ratio %.4f: %s", ratio, class_name(attractor.motion_class))
-    if not attractor.motion_class:
+    settling = Settling(**cfg["settling"])
+    motion = settle(oscillator, rest_state(source, oscillator, dynamics), settling, dynamics["tolerance"])
+    stage.log.info("mesh frequency ratio %.4f: %s", ratio, class_name(motion.motion_class))
+    if not motion.motion_class:
         stage.log.warning("warning: the response did not settle; the wear is the mean over the sampled periods")
-    periods = attractor.period or cfg["settling"]["sampled_periods"]
+    periods = motion.period or settling.sampled_periods
+    reached = motion.transient_periods + settling.sampled_periods
     path_phase = geometry["path_phase"].values
     phases, node = np.unique(path_phase, return_inverse=True)
     displacement, velocity = (
-        one[:, node]
-        for one in trace(
-            oscillator, attractor.state, phases, periods, attractor.first_period, dynamics["tolerance"]
-        )
+        one[:, node] for one in trace(oscillator, end_of(motion), phases, periods, reached, dynamics["tolerance"])
     )
     # where two pairs meet one, a node of the double zone belongs to the phase just before
     side = np.where((geometry["partner"].values >= 0) & (path_phase > 0), np.nextafter(path_phase, 0), path_phase)
-    force = source.mean_stiffness * source.length * mesh_force(oscillator, side, displacement)
+    force = source.mean_stiffness * source.length * restoring_force(oscillator, side, displacement)
     along = ("response_period", "path")
     speed_unit = source.length * source.natural_frequency
     values = {
@@ -56,9 +55,9 @@ def main(job):
         "relative_mean_error": source.relative_mean_error,
         "mean_clearance": source.clearance.mean,
         "error_amplitude": source.error_amplitude,
-        "motion_class": attractor.motion_class,
-        "lyapunov_exponent": attractor.lyapunov_exponent,
-        "contact_loss_share": attractor.contact_loss_share,
+        "motion_class": np.int32(motion.motion_class),
+        "lyapunov_exponent": motion.exponent,
+        "contact_loss_share": motion.contact_loss_share,
     }
     if isinstance(source.stiffness, Harmonics):
         values["stiffness_amplitude"] = ("harmonic", np.array(source.stiffness.amplitudes))

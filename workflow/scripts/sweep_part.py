@@ -4,10 +4,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
-from gearwear.dynamics.attractors import settle
-from gearwear.dynamics.evidence import columns
 
-from gearwear.dynamics.excitation import excitation, swept_oscillator
+from gearwear.dynamics.attractors import Settling, settle
+from gearwear.dynamics.evidence import columns, end_of
+from gearwear.dynamics.excitation import excitation, rest_state, swept_oscillator
 from gearwear.dynamics.parts import indices
 from gearwear.plumbing import stage, store
 
@@ -22,14 +22,14 @@ def main(job):
     source = excitation(geometry, state, reference, cfg["operation"]["pinion_torque"], dynamics)
     values = np.linspace(swept["first"], swept["last"], swept["points"])
     own = indices(swept["points"], job.wildcards.scatteritem, order)
-    rest = (dynamics["start"]["displacement"], dynamics["start"]["velocity"])
-    motions, begin = [], rest
+    settling, motions, begin = Settling(**cfg["settling"]), [], None
     for i in own:
         oscillator = swept_oscillator(source, sweep, float(values[i]), dynamics, swept)
-        motions.append(settle(oscillator, begin, tolerance=dynamics["tolerance"], **cfg["settling"]))
-        begin = rest if order == "restart" else motions[-1].state
+        begin = begin or rest_state(source, oscillator, dynamics)
+        motions.append(settle(oscillator, begin, settling, dynamics["tolerance"]))
+        begin = end_of(motions[-1]) if order != "restart" and motions[-1].motion_class else None
     stage.log.info("%d points of %s swept", len(own), sweep)
-    table = columns(motions, cfg["settling"]["sampled_periods"], source.force_parameter)
+    table = columns(motions, settling.sampled_periods, source.force_parameter)
     store.save(xr.Dataset(table, {sweep: ("point", values[own])}), job)
 
 

@@ -4,10 +4,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
-from gearwear.dynamics.attractors import settle
-from gearwear.dynamics.evidence import columns
 
-from gearwear.dynamics.excitation import excitation, swept_oscillator
+from gearwear.dynamics.attractors import Settling, settle
+from gearwear.dynamics.evidence import columns, end_of
+from gearwear.dynamics.excitation import excitation, rest_state, swept_oscillator
 from gearwear.dynamics.motion import trace
 from gearwear.plumbing import stage, store
 
@@ -24,20 +24,23 @@ def main(job):
     state, reference = store.mesh_states(job.input)
     source = excitation(geometry, state, reference, cfg["operation"]["pinion_torque"], dynamics)
     values = np.array(cfg["portraits"][sweep][job.wildcards.case])
-    rest = (dynamics["start"]["displacement"], dynamics["start"]["velocity"])
+    settling = Settling(**cfg["settling"])
     phases = np.arange(STEPS) / STEPS
     orbits = np.full((2, len(values), LONGEST * STEPS + 1), np.nan)
     motions = []
     for i, value in enumerate(values):
         oscillator = swept_oscillator(source, sweep, float(value), dynamics, swept)
-        motion = settle(oscillator, rest, tolerance=dynamics["tolerance"], **cfg["settling"])
+        motion = settle(oscillator, rest_state(source, oscillator, dynamics), settling, dynamics["tolerance"])
         motions.append(motion)
         periods = motion.period or LONGEST
-        runs = trace(oscillator, motion.state, phases, periods + 1, motion.first_period, dynamics["tolerance"])
+        reached = motion.transient_periods + settling.sampled_periods
+        if np.isnan(motion.displacement[-1]):
+            continue  # the motion was lost; its panel stays without an orbit
+        runs = trace(oscillator, end_of(motion), phases, periods + 1, reached, dynamics["tolerance"])
         for orbit, run in zip(orbits[:, i], runs, strict=True):
             orbit[: periods * STEPS + 1] = run.ravel()[: periods * STEPS + 1]
     stage.log.info("%d portraits of %s traced", len(values), sweep)
-    table = columns(motions, cfg["settling"]["sampled_periods"], source.force_parameter)
+    table = columns(motions, settling.sampled_periods, source.force_parameter)
     table["orbit_displacement"] = (("point", "time"), orbits[0])
     table["orbit_velocity"] = (("point", "time"), orbits[1])
     table["orbit_period"] = ("time", np.arange(LONGEST * STEPS + 1) / STEPS)

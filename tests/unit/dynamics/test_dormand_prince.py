@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+
 from gearwear.dynamics.dormand_prince import full_load, linear_step, load, stage_loads
 
 HARMONICS = np.array([[0.2, -0.1, 0.05, 0.3, 0.1, 0.02], [0.02, 0.03, -0.1, 0.0, 0.0, 0.04]])

@@ -4,6 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
+
 from gearwear.dynamics.motion import strobe
 from gearwear.dynamics.oscillator import ExternalTorque, Oscillator
 from gearwear.dynamics.periodic import Harmonics, PeriodicTable

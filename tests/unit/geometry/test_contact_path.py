@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+
 from gearwear.geometry.contact_path import contact_path
 
 PAIRS = {
@@ -12,7 +13,7 @@ PAIRS = {
     "reducing": {"teeth": (40, 25)},
     "fzg": {"teeth": (16, 24), "module": 4.5e-3, "shift": (0.1817, 0.1715), "centre_distance": 91.5e-3},
     "pitch point in the double zone": {"teeth": (25, 60), "shift": (0.4, -0.4)},
-    "pitch point off the path": {"teeth": (25, 80), "shift": (1.2, 0.0), "addendum": (0.9, 0.7)},
+    "pitch point off the path": {"teeth": (40, 80), "shift": (0.9, -0.9), "addendum": (0.85, 0.85)},
     "nearly one pair": {"teeth": (25, 30), "addendum": (0.58, 0.58)},
     "nearly two pairs": {"teeth": (60, 80), "addendum": (1.1, 1.1)},
 }

@@ -62,7 +62,9 @@ def test_half_angle_is_the_polar_angle_of_an_unwound_string(make_pair, teeth, sh
     base, alone = pair.base_radius[0], pair.base_half_angle[0]
     roll = 0.5
     contact = math.pi / 2 - alone + roll  # direction of the tangent point, tooth axis upwards
-    point = base * np.array([math.cos(contact) + roll * math.sin(contact), math.sin(contact) - roll * math.cos(contact)])
+    point = base * np.array(
+        [math.cos(contact) + roll * math.sin(contact), math.sin(contact) - roll * math.cos(contact)]
+    )
     radius = np.full((2, 1), np.hypot(*point))
     assert math.atan2(*point) == pytest.approx(float(half_angle(pair, radius)[0, 0]), rel=1e-12)
 

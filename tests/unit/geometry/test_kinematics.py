@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+
 from gearwear.geometry.kinematics import angular_speed, curvature, mesh_force, surface_speed
 
 

@@ -105,10 +105,7 @@ def judge_event(sweep: Sweep, event: str, expected: float) -> tuple[bool, str]:
 
 def chaos_earlier_with_temperature_and_wear(study: Study) -> tuple[bool | None, str]:
     """Return whether chaos starts at a lower mesh frequency in case ``with`` than in case ``without``."""
-    onsets = {
-        case: onset_of_chaos(read_sweep(study, case, "mesh_frequency")).location
-        for case in ("with", "without")
-    }
+    onsets = {case: onset_of_chaos(read_sweep(study, case, "mesh_frequency")).location for case in ("with", "without")}
     found = ", ".join(f"{case} {'no onset' if at is None else f'{at:.4f}'}" for case, at in onsets.items())
     if None in onsets.values():
         return None, found

@@ -84,8 +84,7 @@ def transmission_error_rise_larger_in_double_contact(study: Study) -> tuple[bool
 
 def _rise_of_transmission_error(study: Study, before, after) -> tuple[np.ndarray, np.ndarray]:
     first, last = (
-        study.field("transmission_error", "transmission_error", case, cycle)
-        for case, cycle in (before, after)
+        study.field("transmission_error", "transmission_error", case, cycle) for case, cycle in (before, after)
     )
     return last.values - first.values, double_contact(study, first)
 
@@ -96,9 +95,7 @@ def growth_dominates_backlash(study: Study) -> tuple[bool, str]:
     growth = 2 * path_mean(study.field("thermal_growth", "deformation", "with").sum("gear"))
     deflection = path_mean(study.field("elastic_deflection", "transmission_error", "with", cycle))
     wear = path_mean(study.field("wear_depth", "wear", "with", cycle).sum("gear"))
-    found = (
-        f"means: growth {micrometres(growth)}, deflection {micrometres(deflection)}, wear {micrometres(wear)}"
-    )
+    found = f"means: growth {micrometres(growth)}, deflection {micrometres(deflection)}, wear {micrometres(wear)}"
     return growth > max(deflection, wear), found
 
 

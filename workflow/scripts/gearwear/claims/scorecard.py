@@ -70,9 +70,7 @@ def expectation(claim: dict) -> str:
     if kind != "qualitative":
         raise ValueError(f"claim {claim['id']}: kind {kind!r} is unknown; use qualitative, numeric or window")
     if claim["id"] not in PROPERTIES:
-        raise ValueError(
-            f"claim {claim['id']}: no function decides it; add one to gearwear.claims.properties"
-        )
+        raise ValueError(f"claim {claim['id']}: no function decides it; add one to gearwear.claims.properties")
     return "holds"
 
 

@@ -60,9 +60,7 @@ class Study:
 
     def cycles(self, case: str) -> list[int]:
         """Return the wear cycles of `case` that are among the results, ascending; never empty."""
-        cycles = sorted(
-            key[2] for key in self.results if isinstance(key, tuple) and key[:2] == ("wear", case)
-        )
+        cycles = sorted(key[2] for key in self.results if isinstance(key, tuple) and key[:2] == ("wear", case))
         if not cycles:
             raise Undecided(f"no wear cycle of case {case}")
         return cycles

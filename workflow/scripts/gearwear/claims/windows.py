@@ -34,9 +34,7 @@ def judge_window(sweep: Sweep, low: float, high: float, names: list[str]) -> tup
     return (None if share + open_share >= rules.WINDOW_SHARE else False), found
 
 
-def judge_window_of_cases(
-    study: Study, cases: list[str], name: str, window, names
-) -> tuple[bool | None, str]:
+def judge_window_of_cases(study: Study, cases: list[str], name: str, window, names) -> tuple[bool | None, str]:
     """Return whether the window (low, high) of sweep `name` agrees in every case, and what each shows."""
     outcomes, found = [], []
     for case in cases:

@@ -14,9 +14,10 @@ from gearwear.drawing import motion_classes, states, swept
 from gearwear.drawing.sheet import DOUBLE, letter
 
 # Heights and margins, mm.
-_LEFT, _RIGHT, _TOP, _BOTTOM = 16.0, 3.0, 7.0, 10.0
+_LEFT, _RIGHT, _TOP, _BOTTOM = 18.0, 3.0, 7.0, 10.0
 _TITLE, _STRIP, _SECTION, _EXPONENT, _GAP, _BETWEEN = 5.0, 7.0, 42.0, 14.0, 1.2, 5.0
 _DIAGRAM = _TITLE + _STRIP + _GAP + _SECTION + _GAP + _EXPONENT
+_LABEL = -9.5  # mm, right edge of the ordinate's label from the axis
 _INK, _CHAOS = "#1A1A1A", "#D55E00"
 
 Windows = Sequence[tuple[float, float, str]]
@@ -53,15 +54,16 @@ def draw(figure: Figure, sweeps: Sequence[xr.Dataset], paper: Sequence[Windows],
         _draw_section(section, values, dataset)
         _draw_exponent(exponent, values, dataset["lyapunov_exponent"].values)
         fixed = swept.condition(cfg["sweep"], cfg["swept"])
-        title = ", ".join(filter(None, [states.name(state), fixed]))
+        title = ", ".join(filter(None, [states.case(state), fixed]))
         panel = f"{letter(position)} " if len(sweeps) > 1 else ""
-        strip.set_title(f"{panel}Case {state['case']}: {title}", loc="left")
+        strip.set_title(f"{panel}{title}", loc="left")
         section.set_ylabel(f"Section displacement over\n{swept.length_unit(cfg['sweep'], cfg['swept'])}")
-        exponent.set_ylabel("Largest\nexponent")
-        figure.align_ylabels([section, exponent])
+        exponent.set_ylabel("Lyapunov\nexponent")
+        for axes in (section, exponent):
+            axes.yaxis.set_label_coords(_LABEL / (DOUBLE - _LEFT - _RIGHT), 0.5)
     exponent.set_xlabel(swept.LABELS[cfg["sweep"]])
     keys = motion_classes.keys(names)
-    figure.legend(handles=keys, loc="upper center", ncols=len(keys), handlelength=1.2)
+    figure.legend(handles=keys, loc="upper center", ncols=len(keys), handlelength=1.2, columnspacing=1.2)
 
 
 def _place(figure: Figure, bottom: float, high: float, total: float) -> Axes:

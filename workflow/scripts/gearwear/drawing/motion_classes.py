@@ -70,9 +70,7 @@ def keys(names: Iterable[str]) -> list[Patch]:
 
 
 def _worded(name: str) -> str:
-    if name in _WORDS:
-        return f"{short(name)}, {_WORDS[name]}"
-    return f"{name}, period {name[1:]}" if name in _COLOURS else name
+    return f"{short(name)}, {_WORDS[name]}" if name in _WORDS else name
 
 
 def _fill(name: str) -> dict[str, str]:

@@ -27,4 +27,5 @@ def mark(axes: Axes, geometry: xr.Dataset) -> None:
     for period in range(PERIODS):
         shade_single_contact(axes, period + leaves, period + 1)
     axes.set_xlim(0, PERIODS)
+    axes.set_xticks(np.arange(2 * PERIODS + 1) / 2)
     axes.set_xlabel("Mesh periods since a pair entered")

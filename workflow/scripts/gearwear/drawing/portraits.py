@@ -20,7 +20,7 @@ _ORBIT, _SECTION = "#56789A", "#D55E00"
 
 def height(count: int) -> float:
     """Return the height, mm, of a sheet with this number of portraits."""
-    return _MARGIN + _ROW * _rows(count)
+    return _MARGIN + _ROW * max(_rows(count), 1)
 
 
 def draw(figure: Figure, portraits: xr.Dataset, cfg: dict[str, Any]) -> None:
@@ -30,8 +30,14 @@ def draw(figure: Figure, portraits: xr.Dataset, cfg: dict[str, Any]) -> None:
     ----------
     portraits : dataset with `orbit_displacement`, `orbit_velocity` (point, time), the section and the class.
     cfg : `sweep`, its settings `swept`, and the `state`.
+
+    Raises
+    ------
+    ValueError : the dataset holds no portrait.
     """
     count = portraits.sizes["point"]
+    if count == 0:
+        raise ValueError(f"portraits: none of {cfg['sweep']}; list at least one value in portraits.{cfg['sweep']}")
     rows = _rows(count)
     columns = -(-count // rows)
     grid = figure.add_gridspec(rows, 2 * columns)
@@ -47,15 +53,16 @@ def draw(figure: Figure, portraits: xr.Dataset, cfg: dict[str, Any]) -> None:
         axes.set_title(f"{motion}, {_signed(float(portrait['lyapunov_exponent']))}", loc="right")
     unit = swept.length_unit(cfg["sweep"], cfg["swept"])
     figure.supxlabel(f"Displacement over {unit}")
-    figure.supylabel(f"Velocity over {unit} and natural frequency")
+    figure.supylabel(f"Velocity over {unit} times natural frequency")
     fixed = swept.condition(cfg["sweep"], cfg["swept"])
     lines = [
         Line2D([], [], color=_ORBIT, label="orbit"),
         Line2D([], [], color=_SECTION, marker="o", markersize=3, linestyle="none", label="section at pair entry"),
     ]
-    title = ", ".join(filter(None, [f"Case {cfg['state']['case']}: {states.name(cfg['state'])}", fixed]))
-    titles = f"{title}\nPanels: {swept.LABELS[cfg['sweep']].lower()}; class, largest exponent"
-    figure.legend(handles=lines, title=titles, title_fontsize=7, loc="outside upper center", ncols=2)
+    title = ", ".join(filter(None, [states.case(cfg["state"]), fixed]))
+    titles = f"{title}\nPanels: {swept.LABELS[cfg['sweep']].lower()}; motion class, largest Lyapunov exponent"
+    box = figure.legend(handles=lines, title=titles, title_fontsize=7.5, loc="outside upper center", ncols=2)
+    box.get_title().set_multialignment("center")
 
 
 def _rows(count: int) -> int:

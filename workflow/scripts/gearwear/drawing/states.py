@@ -20,16 +20,21 @@ def line(position: int, state: dict[str, Any]) -> dict[str, Any]:
 
 
 def name(state: dict[str, Any]) -> str:
-    """Return bulk temperature and running cycles as a legend names them."""
+    """Return bulk temperature and running cycles as a legend names them; plain text, so that it stays text in SVG."""
     return f"{temperature(state)}, {cycles(state)}"
 
 
+def case(state: dict[str, Any]) -> str:
+    """Return a title that names the case and its state."""
+    return f"Case “{state['case']}”: {name(state)}"
+
+
 def temperature(state: dict[str, Any]) -> str:
-    """Return the bulk temperature, degC, as a label."""
-    return rf"$T_\mathrm{{b}}$ = {state['bulk_temperature']:g} °C"
+    """Return the bulk temperature as a label."""
+    return f"{state['bulk_temperature']:g} °C"
 
 
 def cycles(state: dict[str, Any]) -> str:
     """Return the running cycles of the pinion as a label."""
     count = state["running_cycles"]
-    return rf"$N$ = {count / 1e9:g} × 10⁹" if count else r"$N$ = 0"
+    return f"{count / 1e9:g} × 10⁹ cycles" if count else "unworn"

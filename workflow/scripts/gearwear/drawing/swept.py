@@ -18,5 +18,5 @@ def length_unit(sweep: str, settings: dict[str, Any]) -> str:
 
 
 def condition(sweep: str, settings: dict[str, Any]) -> str:
-    """Return what the sweep holds fixed, as a line under its title, or nothing."""
-    return "" if sweep == "mesh_frequency" else f"mesh frequency {settings['mesh_frequency']:g} of the natural one"
+    """Return what the sweep holds fixed, or nothing."""
+    return "" if sweep == "mesh_frequency" else f"mesh frequency / natural frequency = {settings['mesh_frequency']:g}"

@@ -95,9 +95,7 @@ def settle(oscillator: Oscillator, state, settling: Settling, tolerance: float =
         run = strobe(oscillator, state, transient - reached, reached, tolerance, tangent)
         sample = run
         if run.status == COMPLETED:
-            sample = strobe(
-                oscillator, run.states[-1], settling.sampled_periods, transient, tolerance, run.tangent
-            )
+            sample = strobe(oscillator, run.states[-1], settling.sampled_periods, transient, tolerance, run.tangent)
         if sample.status != COMPLETED:
             return _failed(sample.status, transient, settling.sampled_periods)
         growth = np.concatenate([run.growth, sample.growth]) if reached else sample.growth
@@ -165,8 +163,8 @@ def look(
             code = motion_class.QUASI_PERIODIC
     reason = motion_class.SETTLED
     if code == motion_class.NOT_CONVERGED:
-        negative = exponent < -3 * error
-        reason = motion_class.SLOW_CONVERGENCE if negative or found.period else motion_class.EXPONENT_UNCLEAR
+        slow = exponent <= 0.0 or found.period
+        reason = motion_class.SLOW_CONVERGENCE if slow else motion_class.EXPONENT_UNCLEAR
     return Verdict(code, reason, period, found.distance, exponent, error, multiplier)
 
 

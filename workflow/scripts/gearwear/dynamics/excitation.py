@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwear.dynamics.harmonics import harmonics, mean_over_mesh
+from gearwear.dynamics.motion import trace
 from gearwear.dynamics.oscillator import ExternalTorque, Oscillator
 from gearwear.dynamics.periodic import Harmonics, PeriodicTable
 from gearwear.geometry.kinematics import mesh_force
@@ -31,6 +32,7 @@ class Excitation(NamedTuple):
     reference_amplitude : the same for the reference case; it belongs to a relative mean error of 1.
     relative_mean_error : mean transmission error over that of the reference case.
     clearance : over b0.
+    stiffest_phase : mesh phase at which the first harmonic of the stiffness is largest.
     """
 
     length: float
@@ -44,6 +46,7 @@ class Excitation(NamedTuple):
     reference_amplitude: float
     relative_mean_error: float
     clearance: Harmonics
+    stiffest_phase: float
 
     def oscillator(self, settings: dict, frequency: float, error_amplitude: float | None = None) -> Oscillator:
         """Return the oscillator at a mesh frequency (over the natural one) and an error amplitude (over b0)."""
@@ -110,7 +113,24 @@ def excitation(geometry, state, reference, pinion_torque: float, settings: dict)
         reference_amplitude=unit / length,
         relative_mean_error=ratio,
         clearance=Harmonics(mean_over_mesh(clearance, width), *harmonics(clearance, phase, width, count)),
+        stiffest_phase=float(-harmonics(stiffness, phase, width, 1)[1][0] / (2 * np.pi) % 1.0),
     )
+
+
+def rest_state(source: Excitation, oscillator: Oscillator, settings: dict) -> tuple[float, float]:
+    """Return displacement and velocity at mesh phase 0 after the start that the configuration gives.
+
+    `settings["start"]["at"]`: `pair_entry`, the state given is that at mesh phase 0; `stiffest_mesh`, it is given where
+    the first harmonic of the stiffness is largest, the origin of time of Kahraman and Singh (1990), and the oscillator
+    is run from there to the next entry of a pair.
+    """
+    start = settings["start"]
+    state = (start["displacement"], start["velocity"])
+    if start["at"] == "pair_entry" or source.stiffest_phase == 0:
+        return state
+    before = oscillator.seen_from(source.stiffest_phase)
+    run = trace(before, state, [1.0 - source.stiffest_phase], 1, tolerance=settings["tolerance"])
+    return float(run[0][0, 0]), float(run[1][0, 0])
 
 
 def swept_oscillator(source: Excitation, sweep: str, value: float, settings: dict, swept: dict) -> Oscillator:
@@ -162,3 +182,15 @@ def _table(values: np.ndarray, width: np.ndarray, double: np.ndarray) -> Periodi
         start[zone] = np.concatenate([[2 * y[0] - inner[0]], inner])
         end[zone] = np.concatenate([inner, [2 * y[-1] - inner[-1]]])
     return PeriodicTable(tuple(breaks), tuple(start), tuple(end))
+
+
+def restoring_force(oscillator: Oscillator, phase: np.ndarray, displacement: np.ndarray) -> np.ndarray:
+    """Return k(tau) f(X; b(tau)), the mesh force over mean stiffness times b0.
+
+    Parameters
+    ----------
+    phase : mesh phase, shape (n,).
+    displacement : X at these phases, shape (..., n).
+    """
+    clearance = oscillator.clearance.at(phase)
+    return oscillator.stiffness.at(phase) * (displacement - np.clip(displacement, -clearance, clearance))

@@ -10,7 +10,9 @@ def mean_over_mesh(values: np.ndarray, width: np.ndarray) -> float:
     return float(values @ width)
 
 
-def harmonics(values: np.ndarray, mesh_phase: np.ndarray, width: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
+def harmonics(
+    values: np.ndarray, mesh_phase: np.ndarray, width: np.ndarray, count: int
+) -> tuple[np.ndarray, np.ndarray]:
     """Return amplitudes and phases of y = mean + sum_j A_j cos(2 pi j tau + phi_j), shape (count,) each.
 
     Parameters

@@ -99,6 +99,17 @@ class Oscillator:
         """The same oscillator forced at another frequency."""
         return replace(self, frequency=frequency)
 
+    def seen_from(self, phase: float) -> "Oscillator":
+        """The same oscillator in a time that begins at a mesh phase (0 to 1) of the period before period 0."""
+        torque = self.torque
+        return replace(
+            self,
+            stiffness=self.stiffness.seen_from(phase),
+            error=self.error.seen_from(phase),
+            clearance=self.clearance.seen_from(phase),
+            torque=torque._replace(phase=torque.phase - 2 * np.pi * torque.frequency_ratio * (1.0 - phase)),
+        )
+
     def with_error_scaled(self, factor: float) -> "Oscillator":
         """Static transmission error multiplied by a factor."""
         return replace(self, error=self.error.scaled(factor))

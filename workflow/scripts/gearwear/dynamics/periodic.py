@@ -69,6 +69,11 @@ class Harmonics:
             phase = phase + np.clip(step, -1 / count, 1 / count)
         return float(min(values.min(), self.at(phase).min()))
 
+    def seen_from(self, phase: float) -> "Harmonics":
+        """The same function of time with its zero of phase moved to `phase`."""
+        turns = 2 * np.pi * phase * np.arange(1, len(self.phases) + 1)
+        return replace(self, phases=tuple(np.add(self.phases, turns)))
+
     def scaled(self, factor: float) -> "Harmonics":
         """All values multiplied by a factor."""
         return replace(self, mean=factor * self.mean, amplitudes=tuple(factor * a for a in self.amplitudes))
@@ -100,7 +105,8 @@ class PeriodicTable:
             object.__setattr__(self, name, finite_floats(getattr(self, name), f"table {name}"))
         if len(self.breaks) < 2 or self.breaks[0] != 0.0 or self.breaks[-1] != 1.0:
             raise ValueError(
-                f"table breaks: run from {self.breaks[:1]} to {self.breaks[-1:]}; they must run from 0 to 1 (mesh phase)"
+                f"table breaks: run from {self.breaks[:1]} to {self.breaks[-1:]} (mesh phase); "
+                "they must run from 0 to 1"
             )
         if min(np.diff(self.breaks)) <= 0.0:
             raise ValueError(f"table breaks: least step {min(np.diff(self.breaks))}; they must increase strictly")
@@ -124,8 +130,20 @@ class PeriodicTable:
         """Least value over the period."""
         return min(self.start + self.end)
 
+    def seen_from(self, phase: float) -> "PeriodicTable":
+        """The same function of time with its zero of phase moved to `phase`; the cell that holds it is cut in two."""
+        if not 0.0 < phase < 1.0:
+            return self
+        breaks = np.union1d(self.breaks, [phase])
+        cell = np.searchsorted(self.breaks, breaks[:-1], side="right") - 1
+        left, slope = np.array(self.breaks)[cell], self.slopes()[cell]
+        start = np.array(self.start)[cell] + slope * (breaks[:-1] - left)
+        end = np.array(self.start)[cell] + slope * (breaks[1:] - left)
+        first = int(np.searchsorted(breaks, phase))
+        turned = np.concatenate([breaks[first:-1] - phase, breaks[:first] + (1.0 - phase), [1.0]])
+        turned[0] = 0.0
+        return PeriodicTable(tuple(turned), tuple(np.roll(start, -first)), tuple(np.roll(end, -first)))
+
     def scaled(self, factor: float) -> "PeriodicTable":
         """All values multiplied by a factor."""
-        return replace(
-            self, start=tuple(factor * v for v in self.start), end=tuple(factor * v for v in self.end)
-        )
+        return replace(self, start=tuple(factor * v for v in self.start), end=tuple(factor * v for v in self.end))

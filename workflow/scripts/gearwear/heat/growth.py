@@ -70,10 +70,8 @@ def flank_growth(
     half = base_half_angle - involute(pressure)
     strain = thermal_expansion * np.asarray(rise)
     radial = rim_growth + strain * (radius - base_radius)
-    if mode == "paper":
-        turn = strain * half
-    else:
-        turn = half * ((1 + strain) * radius / (radius + radial) - 1)
+    swollen = (1 + strain) * radius / (radius + radial) - 1
+    turn = half * (strain if mode == "paper" else swollen)
     hot_base = base_radius + rim_growth
     hot_pressure = np.arccos(hot_base / (radius + radial))
     error = hot_base * (involute(pressure) - turn - involute(hot_pressure))

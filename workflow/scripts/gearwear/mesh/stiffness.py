@@ -31,7 +31,9 @@ class PairStiffness(NamedTuple):
     foundation: np.ndarray
 
 
-def pair_stiffness(geometry, modulus, poisson_ratio, flanks: Flanks, settings: dict, force: float = 0.0) -> PairStiffness:
+def pair_stiffness(
+    geometry, modulus, poisson_ratio, flanks: Flanks, settings: dict, force: float = 0.0
+) -> PairStiffness:
     """Return the stiffness of one tooth pair along the path of contact.
 
     Parameters

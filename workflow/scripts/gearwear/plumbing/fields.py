@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-MOTION_CLASSES = {"not_converged": 0, **{f"P{n}": n for n in range(1, 65)}, "QP": 100, "CH": 101}
+from gearwear.dynamics import motion_class
+
+MOTION_CLASSES = dict(zip(motion_class.FLAG_MEANINGS, motion_class.FLAG_VALUES, strict=True))
+REASONS = dict(zip(motion_class.REASON_MEANINGS, motion_class.REASON_VALUES, strict=True))
 
 
 class Field(NamedTuple):
@@ -20,6 +23,7 @@ class Field(NamedTuple):
 _SCALAR, _GEAR = ((),), (("gear",),)
 _PATH, _BOTH = (("path",),), (("gear", "path"),)
 _PHASE, _POINT = (("mesh_phase",),), (("point",), ())
+
 
 def field_of(name: str, dims: tuple[str, ...]) -> Field:
     """Return the entry of a variable; a swept coordinate may share its name with a quantity of the mesh.
@@ -129,7 +133,7 @@ FIELDS: dict[str, Field] = {
     "natural_frequency": Field("rad s-1", "natural frequency of the linear mesh", _SCALAR),
     "mean_force": Field("N", "mean mesh force", _SCALAR),
     "force_parameter": Field("1", "mean mesh force over mean stiffness times initial half backlash", _SCALAR),
-    "error_amplitude": Field("1", "amplitude of the error excitation over initial half backlash", (("harmonic",),)),
+    "error_amplitude": Field("1", "first harmonic of the error excitation over initial half backlash", _SCALAR),
     "error_phase": Field("rad", "phase of the error excitation, zero at pair entry", (("harmonic",),)),
     "stiffness_amplitude": Field("1", "amplitude of the stiffness over its mean", (("harmonic",),)),
     "stiffness_phase": Field("rad", "phase of the stiffness, zero at pair entry", (("harmonic",),)),
@@ -150,6 +154,9 @@ FIELDS: dict[str, Field] = {
     "recurrence_distance": Field("1", "distance of the section from its repetition", _POINT, None, True),
     "lyapunov_exponent": Field("1", "largest Lyapunov exponent per unit of dimensionless time", _POINT, None, True),
     "lyapunov_exponent_error": Field("1", "standard error of the largest Lyapunov exponent", _POINT, None, True),
+    "determinant_error": Field(
+        "1", "relative departure of the area contraction of the map from its exact value", _POINT, None, True
+    ),
     "multiplier_real": Field("1", "real part of the largest Floquet multiplier", _POINT, None, True),
     "multiplier_imag": Field("1", "imaginary part of the largest Floquet multiplier", _POINT, None, True),
     "contact_loss_share": Field("1", "part of the time out of contact", _POINT, None, True),
@@ -158,7 +165,7 @@ FIELDS: dict[str, Field] = {
     "displacement_max": Field("1", "largest displacement over initial half backlash", _POINT, None, True),
     "force_max": Field("1", "largest mesh force over mean mesh force", _POINT, None, True),
     "transient_periods": Field("1", "mesh periods left out before the section", _POINT),
-    "reason": Field("", "why the class is not decided", _POINT, {}),
+    "reason": Field("", "why the class is not decided", _POINT, REASONS),
     "orbit_displacement": Field(
         "1", "displacement along the orbit over initial half backlash", (("point", "time"),), None, True
     ),

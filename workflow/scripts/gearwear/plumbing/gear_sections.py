@@ -189,9 +189,10 @@ class MeshStiffness(Section):
     cantilever: Literal["base", "root"] = choice(
         "Circle on which the tooth is clamped", base="base circle", root="root circle"
     )
-    fillet_angle: Literal["rack", "straight"] = choice(
+    fillet_angle: Literal["rack", "straight", "generated"] = choice(
         "Half angle of the tooth at the root circle",
-        rack="of the fillet cut by the rack",
+        rack="the formula of the peers, which leaves out the clearance",
+        generated="of the fillet that a rack with rounded tips generates",
         straight="of a block of constant width below the base circle",
     )
     hertz: Literal["linear", "weber"] = choice(

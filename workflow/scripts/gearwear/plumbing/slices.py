@@ -52,7 +52,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
 }
 
-# Keys of a section that a stage passes over. A sweep's list of cases decides which files are made, never what is in them.
+# Keys that a stage passes over: a sweep's list of cases decides which files are made, not what is in them.
 _PASSED_OVER = {"sweep": ("cases",), "portraits": ("cases", "first", "last", "points")}
 
 

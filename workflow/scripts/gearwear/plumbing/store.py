@@ -117,10 +117,10 @@ def atomic(path: str | Path) -> Iterator[str]:
         yield temporary
         with open(temporary, "rb") as file:
             os.fsync(file.fileno())
-        os.replace(temporary, path)
+        Path(temporary).replace(path)
     finally:
         with suppress(FileNotFoundError):
-            os.remove(temporary)
+            Path(temporary).unlink()
 
 
 def _describe(dataset: xr.Dataset, name: str) -> None:

@@ -79,6 +79,11 @@ class TorqueFluctuation(Section):
 class Start(Section):
     """Initial state of the oscillator."""
 
+    at: Literal["stiffest_mesh", "pair_entry"] = choice(
+        "Instant at which the initial state is given",
+        stiffest_mesh="where the first harmonic of the stiffness is largest",
+        pair_entry="where a pair enters, mesh phase 0",
+    )
     displacement: Number = quantity("1", "Initial displacement over the half backlash.", ge=-100.0, le=100.0)
     velocity: Number = quantity(
         "1", "Initial velocity over half backlash times natural frequency.", ge=-100.0, le=100.0

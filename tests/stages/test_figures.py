@@ -1,0 +1,236 @@
+"""Every plot script on tiny synthetic results: both files, the words on them, the same bytes twice."""
+
+import importlib
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import xarray as xr
+import yaml
+
+from gearwear.plumbing import store
+
+ROOT = Path(__file__).resolve().parents[2]
+STYLE = str(ROOT / "workflow" / "report" / "gearwear.mplstyle")
+CASES = ("without", "with")
+START, SINGLE, PITCH, DOUBLE, END = 2e-3, 8e-3, 10e-3, 11e-3, 17e-3
+STATES = [
+    {"case": "without", "cycle": 0, "bulk_temperature": 20.0, "running_cycles": 0, "flash": False},
+    {"case": "with", "cycle": 21, "bulk_temperature": 100.0, "running_cycles": 2.1e9, "flash": True},
+]
+SWEPT = {
+    "mesh_frequency": {"cases": ["without", "with"], "first": 0.1, "last": 1.7, "points": 9},
+    "ste": {"cases": ["with"], "first": 0.1, "last": 3.0, "points": 9, "mesh_frequency": 1.0},
+    "backlash": {
+        "cases": ["with"],
+        "first": 0.1,
+        "last": 1.5,
+        "points": 9,
+        "mesh_frequency": 1.0,
+        "reading": "rescale",
+    },
+}
+CLASSES = [1, 1, 2, 4, 8, 3, 0, 101, 101]
+
+
+class Files(dict):
+    """Named files, as a job has them."""
+
+    __getattr__ = dict.__getitem__
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory):
+    """Write the result files of two states, three sweeps and their portraits; return their folder."""
+    folder = tmp_path_factory.mktemp("results")
+
+    def save(name, variables, coordinates):
+        job = SimpleNamespace(rule="made_up", input=Files(), output=[str(folder / f"{name}.nc")])
+        job.params = SimpleNamespace(cfg={}, code=name)
+        store.save(xr.Dataset(variables, coordinates), job)
+
+    zones = ((START, SINGLE, 7), (SINGLE, DOUBLE, 4), (DOUBLE, END, 7))
+    path = np.concatenate([np.linspace(low, high, count) for low, high, count in zones])
+    single = np.repeat([0.0, 1.0, 0.0], [count for *_, count in zones])
+    phase = (np.arange(10) + 0.5) / 10
+    of_phase = {"mesh_phase": phase}
+    of_gears = {"gear": ["pinion", "gear"], "path": path}
+    points = {
+        "start_of_contact": START,
+        "lowest_single_contact": SINGLE,
+        "pitch_point": PITCH,
+        "highest_single_contact": DOUBLE,
+        "end_of_contact": END,
+        "contact_ratio": 1.6,
+        "leaving": ("mesh_phase", np.where(phase < 0.6, 0, -1)),
+    }
+    save("geometry", points, of_gears | of_phase)
+    along, mesh = ("gear", "path"), np.where(phase < 0.6, 3.5e8, 2e8)
+    for i, case in enumerate(CASES):
+        wear = i * 1e-6 * (1 + single) * np.abs(path - PITCH) / PITCH
+        growth = i * np.stack([5e-6 - path / 1e4, 3e-6 + path / 1e4])
+        save(f"{case}_wear", {"wear_depth": (along, np.stack([3 * wear, wear]))}, of_gears)
+        save(f"{case}_deformation", {"thermal_growth": (along, growth)}, of_gears)
+        save(f"{case}_mesh_stiffness", {"mesh_stiffness": ("mesh_phase", mesh * (1 - 0.03 * i))}, of_phase)
+        error = {
+            "transmission_error": ("mesh_phase", 4e3 / mesh * (1 + 0.1 * i)),
+            "effective_stiffness": ("mesh_phase", mesh * (1 - 0.1 * i)),
+            "elastic_deflection": ("path", 1e-5 * (1 + single)),
+        }
+        save(f"{case}_transmission_error", error, of_phase | {"path": path})
+        clearance = {"backlash_path": ("path", 7e-5 - 5e-6 * i + 3e-6 * single), "initial_half_backlash": 6.5e-5}
+        save(f"{case}_backlash", clearance, {"path": path})
+        for sweep, settings in SWEPT.items():
+            swept = np.linspace(settings["first"], settings["last"], settings["points"])
+            save(f"{case}_{sweep}_sweep", motion(CLASSES), {sweep: ("point", swept)})
+            time = np.linspace(0, 2 * np.pi, 65)
+            orbit = {
+                "orbit_displacement": (("point", "time"), np.tile(np.cos(time), (3, 1))),
+                "orbit_velocity": (("point", "time"), np.tile(np.sin(time), (3, 1))),
+            }
+            save(f"{case}_{sweep}_portraits", motion([1, 0, 101]) | orbit, {sweep: ("point", swept[[1, 3, 7]])})
+    return folder
+
+
+def motion(classes):
+    """Return section, class, period and exponent of points of the classes given."""
+    classes = np.array(classes)
+    period = np.where(classes < 100, classes, 0)
+    sample = np.arange(20)
+    section = np.sin(1.3 * np.stack([sample % one if one else sample for one in period]))
+    exponent = np.where(classes == 101, 0.05, -0.08)
+    return {
+        "section_displacement": (("point", "sample"), section),
+        "section_velocity": (("point", "sample"), 0.5 * section),
+        "motion_class": ("point", classes),
+        "period": ("point", period),
+        "lyapunov_exponent": ("point", np.where(classes == 0, np.nan, exponent)),
+    }
+
+
+def inputs_of(results, number):
+    """Return script, named inputs and settings of a figure."""
+
+    def each(name):
+        return [str(results / f"{case}_{name}.nc") for case in CASES]
+
+    geometry = {"geometry": str(results / "geometry.nc")}
+    diagonal = {
+        6: ("plot_wear", ("wear",)),
+        7: ("plot_growth", ("deformation",)),
+        8: ("plot_stiffness", ("mesh_stiffness", "transmission_error")),
+        9: ("plot_error", ("transmission_error",)),
+        10: ("plot_growth_share", ("deformation", "transmission_error", "wear")),
+        11: ("plot_backlash", ("backlash",)),
+    }
+    if number in diagonal:
+        script, names = diagonal[number]
+        return script, geometry | {name: each(name) for name in names}, {"states": STATES}
+    sweep = {12: "mesh_frequency", 13: "mesh_frequency", 14: "mesh_frequency", 15: "ste", 16: "ste"}.get(
+        number, "backlash"
+    )
+    cfg = {"sweep": sweep, "swept": SWEPT[sweep]}
+    if number in (12, 15, 17):
+        states = [state for state in STATES if state["case"] in SWEPT[sweep]["cases"]]
+        files = [str(results / f"{state['case']}_{sweep}_sweep.nc") for state in states]
+        claims = str(ROOT / "config" / "paper_claims.yaml")
+        return "plot_bifurcation", {"sweep": files, "claims": claims}, cfg | {"states": states}
+    state = STATES[0 if number == 13 else 1]
+    portraits = str(results / f"{state['case']}_{sweep}_portraits.nc")
+    return "plot_portraits", {"portraits": portraits}, cfg | {"state": state}
+
+
+def plot(results, folder, number):
+    """Run the script of a figure; return the paths of SVG and PNG."""
+    script, files, cfg = inputs_of(results, number)
+    folder.mkdir(exist_ok=True)
+    output = SimpleNamespace(svg=str(folder / "figure.svg"), png=str(folder / "figure.png"))
+    job = SimpleNamespace(rule=script, input=Files(files, style=STYLE), output=output)
+    job.params = SimpleNamespace(cfg=cfg, code="")
+    importlib.import_module(script).main(job)
+    return Path(output.svg), Path(output.png)
+
+
+def words_of(svg):
+    """Return all text of an SVG, without spaces."""
+    texts = ElementTree.parse(svg).getroot().iter("{http://www.w3.org/2000/svg}text")
+    return "|".join("".join("".join(text.itertext()).split()) for text in texts)
+
+
+WORDS = {
+    6: ["Weardepth(µm)", "(a)Pinion", "(d)Gear,enlarged", "dedendum", "pitchpoint"],
+    7: ["Thermalgrowthofoneflank(µm)", "(a)Pinion", "(b)Gear", "addendum"],
+    8: ["Meshstiffness(10⁸N/m)", "nominal", "effective"],
+    9: ["Statictransmissionerror(µm)", "onepairincontact"],
+    10: ["growthofthefourflanks", "elasticdeflection", "wearofbothflanks", "16.0", "12.0", "0.0"],
+    11: ["Halfbacklash(µm)", "initial,65µm"],
+    12: ["Meshfrequencyovernaturalfrequency", "CH,chaotic", "?,notdecided", "QP,quasi-periodic", "(b)Case“with”"],
+    13: ["(a)0.3", "P1,−0.080", "?,noexponent", "CH,+0.050", "Displacementoverinitialhalfbacklash", "Case“without”"],
+    14: ["(a)0.3", "sectionatpairentry"],
+    15: ["Meanstatictransmissionerror", "thisrun", "paper", "exponent"],
+    16: ["meshfrequency/naturalfrequency=1"],
+    17: ["Meanbacklashoveritsinitialvalue", "swepthalfbacklash"],
+    18: ["Displacementoverswepthalfbacklash"],
+}
+
+
+@pytest.mark.parametrize("number", WORDS)
+def test_figure_is_written_with_its_words_and_the_same_bytes_twice(results, tmp_path, number):
+    svg, png = plot(results, tmp_path / "first", number)
+    again = plot(results, tmp_path / "second", number)
+    assert [svg.read_bytes(), png.read_bytes()] == [path.read_bytes() for path in again]
+    assert png.read_bytes().startswith(b"\x89PNG")
+    words = words_of(svg)
+    missing = [word for word in [*WORDS[number], "°C"] if word not in words]
+    assert missing == []
+    assert sorted(path.name for path in svg.parent.iterdir()) == ["figure.png", "figure.svg"]
+
+
+def test_every_state_of_the_diagonal_is_named_with_temperature_and_cycles(results, tmp_path):
+    words = words_of(plot(results, tmp_path, 6)[0])
+    assert "20°C,unworn" in words
+    assert "100°C,2.1×10⁹cycles" in words
+
+
+def test_pictures_name_their_results_but_no_date_or_software(results, tmp_path):
+    svg, png = plot(results, tmp_path, 7)
+    lineage = store.lineage(results / "with_deformation.nc")
+    for path in (svg, png):
+        content = path.read_bytes()
+        assert lineage.encode() in content
+        assert b"Matplotlib v" not in content
+        assert b"<dc:date>" not in content
+
+
+def test_no_file_is_left_when_a_plot_fails(results, tmp_path):
+    broken = tmp_path / "broken.nc"
+    broken.write_bytes(b"not a result")
+    script, files, cfg = inputs_of(results, 11)
+    output = SimpleNamespace(svg=str(tmp_path / "figure.svg"), png=str(tmp_path / "figure.png"))
+    job = SimpleNamespace(input=Files(files, style=STYLE, backlash=[str(broken)]), output=output)
+    job.params = SimpleNamespace(cfg=cfg)
+    with pytest.raises(ValueError, match="broken.nc"):
+        importlib.import_module(script).main(job)
+    assert [path.name for path in tmp_path.iterdir()] == ["broken.nc"]
+
+
+def test_windows_of_the_paper_are_those_of_the_case():
+    windows = importlib.import_module("plot_bifurcation").windows
+    claims = yaml.safe_load((ROOT / "config" / "paper_claims.yaml").read_text())["claims"]
+    of_frequency = [list(windows(claims, "mesh_frequency", case)) for case in CASES]
+    assert of_frequency[0] == of_frequency[1]
+    assert (1.05, 1.18, "P2") in of_frequency[0]
+    one = {"kind": "window", "case": "without", "sweep": "ste", "range": [0, 1], "class": ["P1"]}
+    assert [list(windows([one], "ste", case)) for case in CASES] == [[(0, 1, "P1")], []]
+    assert list(windows(claims, "ste", "without")) == []
+    assert (0.51, 1.11, "QP") in list(windows(claims, "ste", "with"))
+
+
+def test_a_figure_without_portraits_is_refused_with_the_key_to_fill():
+    portraits = importlib.import_module("gearwear.drawing.portraits")
+    empty = xr.Dataset(motion([1]), {"ste": ("point", [0.5])}).isel(point=[])
+    assert portraits.height(0) == portraits.height(1)
+    with pytest.raises(ValueError, match="portraits.ste"):
+        portraits.draw(None, empty, {"sweep": "ste"})

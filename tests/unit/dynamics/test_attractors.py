@@ -1,0 +1,118 @@
+"""Classes of settled motion and their evidence."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from gearwear.dynamics import motion_class
+from gearwear.dynamics.attractors import Settling, settle
+from gearwear.dynamics.oscillator import ExternalTorque, Oscillator
+from gearwear.dynamics.periodic import Harmonics
+
+SETTLING = Settling(200, 1600, 160, 16, 1e-7, 3e-3)
+GENTLE = Oscillator(0.9, 0.1, 0.1, Harmonics(1.0, (-0.1,), (0.0,)), Harmonics(0.0, (0.02,), (0.0,)))
+
+
+def look_alike(frequency):
+    return Oscillator(frequency, 0.1, 0.1, Harmonics(1.0, (-0.4,), (0.0,)), Harmonics(0.0, (0.1,), (0.0,)))
+
+
+def names_over(frequencies):
+    return [motion_class.class_name(settle(look_alike(w), (0.0, 0.0), SETTLING).motion_class) for w in frequencies]
+
+
+def test_route_to_chaos():
+    assert names_over([0.4, 0.9, 1.1, 1.21, 1.28, 1.4]) == ["P1", "P1", "P2", "P4", "P16", "CH"]
+
+
+def test_sweep_of_one_frequency_has_no_quasi_periodic_motion():
+    names = names_over(np.linspace(0.4, 1.7, 27))
+    assert "QP" not in names
+    assert {"P1", "P2", "CH"} <= set(names)
+
+
+def test_linear_motion_has_closed_form_evidence():
+    oscillator = Oscillator(0.8, 0.05, 5.0, Harmonics(1.0), Harmonics(0.0, (0.3,), (0.7,)))
+    point = settle(oscillator, (6.0, 0.0), SETTLING)
+    rate = np.sqrt(1 - 0.05**2)
+    multiplier = np.exp((-0.05 + 1j * rate) * oscillator.period)
+    assert (point.motion_class, point.period, point.reason) == (1, 1, motion_class.SETTLED)
+    assert abs(point.multiplier_real - multiplier.real) < 1e-7
+    assert abs(point.multiplier_imag) == pytest.approx(abs(multiplier.imag), abs=1e-7)
+    assert point.exponent == pytest.approx(-0.05, abs=4 * point.exponent_error + 1e-6)
+    assert point.determinant_error < 1e-6
+    assert (point.contact_loss_share, point.impacts_per_period) == (0.0, 0.0)
+    steady = abs(0.3 * 0.8**2 / (1 - 0.8**2 + 0.08j))
+    extremes = (point.displacement_min, point.displacement_max, point.force_max)
+    assert extremes == pytest.approx((6 - steady, 6 + steady, 5 + steady), abs=1e-6)
+    assert point.displacement.shape == point.velocity.shape == (SETTLING.sampled_periods,)
+
+
+def test_exponent_of_a_periodic_point_is_that_of_its_multiplier():
+    point = settle(look_alike(1.1), (0.0, 0.0), SETTLING)
+    duration = 2 * look_alike(1.1).period
+    expected = np.log(abs(complex(point.multiplier_real, point.multiplier_imag))) / duration
+    assert point.exponent == pytest.approx(expected, abs=1e-7)
+
+
+def test_chaotic_point_has_a_positive_exponent_and_no_period():
+    point = settle(look_alike(1.4), (0.0, 0.0), SETTLING)
+    assert point.exponent > 0.03 > 3 * point.exponent_error
+    assert point.period == 0 and point.recurrence_distance > 0.01
+    assert np.isnan(point.multiplier_real)
+    assert point.determinant_error < 1e-7
+
+
+def test_second_frequency_gives_a_quasi_periodic_motion():
+    oscillator = dataclasses.replace(GENTLE, torque=ExternalTorque(0.02, (np.sqrt(5) - 1) / 2, 0.0))
+    point = settle(oscillator, (0.0, 0.0), SETTLING)
+    assert motion_class.class_name(point.motion_class) == "QP"
+    assert point.exponent < 0
+
+
+@pytest.mark.parametrize("ratio, period", [(2.0, 1), (0.5, 2), (2 / 3, 3)])
+def test_torque_in_a_simple_ratio_gives_a_periodic_motion(ratio, period):
+    oscillator = dataclasses.replace(GENTLE, torque=ExternalTorque(0.02, ratio, 0.3))
+    assert settle(oscillator, (0.0, 0.0), SETTLING).motion_class == period
+
+
+def test_slow_point_runs_on_and_gives_up_with_a_reason():
+    slow = look_alike(1.1834)
+    point = settle(slow, (0.0, 0.0), SETTLING)
+    assert point.motion_class == motion_class.NOT_CONVERGED
+    assert point.reason == motion_class.SLOW_CONVERGENCE
+    assert point.transient_periods == SETTLING.longest_transient
+    longer = settle(look_alike(1.18), (0.0, 0.0), SETTLING)
+    assert longer.motion_class == 2
+    assert longer.transient_periods > SETTLING.transient_periods
+
+
+def test_blow_up_has_not_converged_for_that_reason():
+    driven = dataclasses.replace(GENTLE, error=Harmonics(0.0, (3e6,), (0.0,)))
+    point = settle(driven, (0.0, 0.0), SETTLING)
+    assert (point.motion_class, point.reason) == (motion_class.NOT_CONVERGED, motion_class.BLOWN_UP)
+    assert np.isnan(point.exponent) and np.isnan(point.displacement).all()
+
+
+def test_it_is_deterministic():
+    first, second = (settle(look_alike(1.4), (0.0, 0.0), SETTLING) for _ in range(2))
+    np.testing.assert_array_equal(first.displacement, second.displacement)
+    assert first[:6] == second[:6]
+
+
+@pytest.mark.parametrize(
+    "change, message",
+    [
+        ({"transient_periods": -1}, "transient_periods: -1"),
+        ({"longest_transient": 100}, "transient_periods: 200"),
+        ({"sampled_periods": 60}, "sampled_periods: 60"),
+        ({"largest_period": 0}, "largest_period: 0"),
+        ({"largest_period": 65}, "largest_period: 65"),
+        ({"recurrence_tolerance": 0.0}, "recurrence_tolerance"),
+        ({"chaos_threshold": np.nan}, "chaos_threshold"),
+    ],
+)
+def test_impossible_settings_are_refused(change, message):
+    with pytest.raises(ValueError, match=message):
+        settle(GENTLE, (0.0, 0.0), SETTLING._replace(**change))

@@ -1,0 +1,84 @@
+"""One run at a time in a working directory, even after a run was killed."""
+
+import signal
+import subprocess
+import sys
+
+import pytest
+
+from gearwear.plumbing import runlock
+from gearwear.plumbing.closure import SCRIPTS
+
+HOLDER = """
+import sys
+sys.path.insert(0, sys.argv[1])
+from gearwear.plumbing.runlock import hold
+hold()
+print("held", flush=True)
+sys.stdin.read()
+"""
+
+
+@pytest.fixture
+def run(tmp_path):
+    """Return a function that starts a process which holds the folder until its standard input ends."""
+    started = []
+
+    def start(folder=tmp_path):
+        folder.mkdir(exist_ok=True)
+        process = subprocess.Popen(
+            [sys.executable, "-c", HOLDER, str(SCRIPTS)],
+            cwd=folder,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+        started.append(process)
+        return process
+
+    yield start
+    for process in started:
+        process.kill()
+        process.communicate()
+
+
+def test_a_second_run_is_refused_with_the_folder_named(run, tmp_path):
+    assert run().stdout.readline() == "held\n"
+    output, error = run().communicate(timeout=30)
+    assert output == ""
+    assert "RunningAlready" in error and str(tmp_path) in error and "another run" in error
+
+
+def test_the_lock_ends_with_the_run(run):
+    first = run()
+    assert first.stdout.readline() == "held\n"
+    first.communicate(timeout=30)
+    assert run().stdout.readline() == "held\n"
+
+
+def test_the_lock_ends_with_a_killed_run(run):
+    first = run()
+    assert first.stdout.readline() == "held\n"
+    first.send_signal(signal.SIGKILL)
+    first.wait(timeout=30)
+    assert run().stdout.readline() == "held\n"
+
+
+def test_another_folder_is_free(run, tmp_path):
+    assert run(tmp_path / "one").stdout.readline() == "held\n"
+    assert run(tmp_path / "two").stdout.readline() == "held\n"
+
+
+def test_the_process_that_tries_in_vain_can_try_again(run, tmp_path, monkeypatch):
+    first = run()
+    assert first.stdout.readline() == "held\n"
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(runlock, "_held", [])
+    with pytest.raises(runlock.RunningAlready):
+        runlock.hold()
+    assert runlock._held == []
+    first.communicate(timeout=30)
+    runlock.hold()
+    (descriptor,) = runlock._held
+    runlock.os.close(descriptor)

@@ -1,0 +1,136 @@
+"""What each stage may read of the configuration."""
+
+import copy
+import json
+from pathlib import Path
+
+import pytest
+import yaml
+
+from gearwear.plumbing.slices import STAGES, slice_of
+
+ROOT = Path(__file__).resolve().parents[3]
+SWEPT = ("sweep", "portraits")
+
+
+@pytest.fixture
+def config():
+    return yaml.safe_load((ROOT / "config" / "config.yaml").read_text())
+
+
+def cut(config, stage, case="with", sweep="backlash"):
+    return slice_of(config, stage, case, sweep)
+
+
+def leaves(tree, prefix=()):
+    for key, value in tree.items():
+        if isinstance(value, dict):
+            yield from leaves(value, (*prefix, key))
+        else:
+            yield (*prefix, key)
+
+
+def changed(config, keys):
+    """Return a copy with another value at `keys`."""
+    other = copy.deepcopy(config)
+    section = other
+    for key in keys[:-1]:
+        section = section[key]
+    section[keys[-1]] = "changed"
+    return other
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_slice_is_plain_data_with_sorted_keys(config, stage):
+    found = cut(config, stage)
+    assert json.dumps(found) == json.dumps(found, sort_keys=True)
+    assert json.loads(json.dumps(found)) == found
+
+
+@pytest.mark.parametrize("stage", STAGES)
+def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration_alone(config, stage):
+    def turned(tree):
+        return {key: turned(tree[key]) for key in reversed(tree)} if isinstance(tree, dict) else tree
+
+    before = copy.deepcopy(config)
+    assert list(leaves(cut(turned(config), stage))) == list(leaves(cut(config, stage)))
+    assert config == before
+
+
+@pytest.mark.parametrize(
+    ("keys", "stages"),
+    [
+        ("gear_pair.module", {"geometry"}),
+        ("grid.mesh_cells", {"geometry"}),
+        ("material.pinion.density", {"geometry", "temperature"}),
+        ("material.gear.youngs_modulus", {"temperature", "advance_wear", "mesh_stiffness"}),
+        ("material.gear.thermal_expansion", {"temperature", "deformation", "advance_wear", "mesh_stiffness"}),
+        ("elasticity.law", {"temperature", "advance_wear", "mesh_stiffness"}),
+        (
+            "operation.pinion_torque",
+            {"temperature", "transmission_error", "advance_wear", "response", "sweep", "portraits"},
+        ),
+        ("operation.pinion_speed", {"temperature", "advance_wear", "response"}),
+        ("lubricant.composite_roughness", {"temperature", "advance_wear"}),
+        ("friction.dry", {"temperature"}),
+        ("heat.flash_coefficient", {"temperature"}),
+        ("heat.growth", {"deformation"}),
+        ("mesh_stiffness.hertz", {"temperature", "mesh_stiffness"}),
+        ("transmission_error.mode", {"transmission_error"}),
+        ("backlash.half_backlash", {"backlash"}),
+        ("wear.cycles_per_update", {"advance_wear"}),
+        ("dynamics.damping_ratio", {"response", "sweep", "portraits"}),
+        ("settling.largest_period", {"response", "sweep", "portraits"}),
+        ("cases.with.bulk_temperature", {"temperature", "deformation", "advance_wear", "mesh_stiffness"}),
+        ("cases.with.flash", {"temperature"}),
+        ("cases.with.running_cycles", set()),
+        ("cases.without.bulk_temperature", set()),
+        ("sweeps.backlash.points", {"sweep"}),
+        ("sweeps.backlash.first", {"sweep"}),
+        ("sweeps.backlash.mesh_frequency", {"sweep", "portraits"}),
+        ("sweeps.ste.points", set()),
+        ("sweeps.backlash.cases", set()),
+        ("sweeps.start", {"sweep"}),
+        ("portraits.backlash.with", {"portraits"}),
+        ("portraits.ste.with", set()),
+        ("portraits.mesh_frequency.without", set()),
+        ("figures.diagonal", set()),
+    ],
+)
+def test_a_key_reaches_its_stages_and_no_other(config, keys, stages):
+    other = changed(config, keys.split("."))
+    assert {stage for stage in STAGES if cut(other, stage) != cut(config, stage)} == stages
+
+
+@pytest.mark.parametrize("stage", [stage for stage in STAGES if stage not in SWEPT])
+def test_stages_of_the_wear_chain_do_not_know_the_case_by_name(config, stage):
+    config["cases"]["twin"] = dict(config["cases"]["with"])
+    assert cut(config, stage, "twin") == cut(config, stage, "with")
+
+
+def test_load_dependent_contact_lets_the_torque_reach_the_stiffness(config):
+    assert "operation" not in cut(config, "mesh_stiffness")
+    config["mesh_stiffness"]["hertz"] = "weber"
+    assert cut(config, "mesh_stiffness")["operation"] == {"pinion_torque": 130.0}
+
+
+def test_slices_of_the_stages_before_the_cases_need_no_case(config):
+    assert slice_of(config, "geometry")["grid"] == {"mesh_cells": 240}
+    assert slice_of(config, "start_wear") == {}
+
+
+def test_every_key_of_the_physics_reaches_a_stage(config):
+    """The sections below are read by no stage but by the targets and figures, or named above."""
+    reached = set()
+    for stage in STAGES:
+        for case in config["cases"]:
+            for sweep in config["portraits"]:
+                if stage == "portraits" and case not in config["portraits"][sweep]:
+                    continue
+                reached |= {
+                    ("cases", case, *keys[1:]) if keys[0] == "case" else keys
+                    for keys in leaves(cut(config, stage, case, sweep))
+                }
+    only_targets = {("cases", case, "running_cycles") for case in config["cases"]}
+    only_targets |= {("sweeps", sweep, "cases") for sweep in config["portraits"]} | {("figures", "diagonal")}
+    assert set(leaves(config)) - reached == only_targets

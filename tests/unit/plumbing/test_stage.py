@@ -1,0 +1,120 @@
+"""A stage job: its log, its failures, and its end when the workflow ends."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from types import SimpleNamespace
+
+import pytest
+
+from gearwear.plumbing import stage
+from gearwear.plumbing.closure import SCRIPTS, digest
+
+ORPHAN = """
+import sys, time
+from types import SimpleNamespace
+sys.path.insert(0, {scripts!r})
+from gearwear.plumbing import stage
+from gearwear.plumbing.closure import digest
+script = sys.argv[1]
+job = SimpleNamespace(log=[sys.argv[2]], params=SimpleNamespace(code=digest(script)))
+with stage.logged(job, script):
+    stage.log.info("at work")
+    time.sleep(60)
+"""
+WORKFLOW = """
+import subprocess, sys
+job = subprocess.Popen([sys.executable, *sys.argv[1:]])
+print(job.pid, flush=True)
+job.wait()
+"""
+
+
+@pytest.fixture
+def script(tmp_path):
+    path = tmp_path / "some_stage.py"
+    path.write_text("X = 1\n")
+    return path
+
+
+@pytest.fixture
+def job(tmp_path, script):
+    return SimpleNamespace(log=[tmp_path / "job.log"], params=SimpleNamespace(code=digest(script)))
+
+
+@pytest.fixture
+def in_this_process(monkeypatch):
+    """The test process must not be bound to the life of its parent."""
+    monkeypatch.setattr(stage, "_die_with_parent", lambda: None)
+
+
+def test_output_goes_to_the_log_of_the_job(job, script, in_this_process, capsys):
+    with stage.logged(job, str(script)):
+        stage.log.info("mean %.1f um", 3.25)
+        print("printed")
+        print("complained", file=sys.stderr)
+    assert job.log[0].read_text() == "mean 3.2 um\nprinted\ncomplained\n"
+    assert capsys.readouterr() == ("", "")
+
+
+def test_failure_is_logged_and_handed_on(job, script, in_this_process):
+    with pytest.raises(ValueError, match="teeth jam"), stage.logged(job, str(script)):
+        raise ValueError("the teeth jam")
+    text = job.log[0].read_text()
+    assert text.startswith("failed: the teeth jam\n")
+    assert "Traceback" in text
+
+
+def test_streams_and_handlers_are_given_back(job, script, in_this_process):
+    before = sys.stdout, sys.stderr, list(stage.log.handlers)
+    with pytest.raises(KeyboardInterrupt), stage.logged(job, str(script)):
+        raise KeyboardInterrupt
+    assert (sys.stdout, sys.stderr, list(stage.log.handlers)) == before
+
+
+def test_job_refuses_code_that_changed_since_the_workflow_read_it(job, script, in_this_process):
+    job.params.code = "0" * 16
+    ran = []
+    with pytest.raises(RuntimeError, match="source code changed"), stage.logged(job, str(script)):
+        ran.append(True)
+    assert ran == []
+    assert "start it again" in job.log[0].read_text()
+
+
+def test_log_is_written_line_by_line(job, script, in_this_process):
+    with stage.logged(job, str(script)):
+        stage.log.info("first")
+        assert job.log[0].read_text() == "first\n"
+
+
+def alive(pid: int) -> bool:
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    return open(f"/proc/{pid}/stat").read().rpartition(")")[2].split()[0] != "Z"
+
+
+def wait_until(condition, seconds=20.0) -> bool:
+    end = time.monotonic() + seconds
+    while not condition() and time.monotonic() < end:
+        time.sleep(0.02)
+    return condition()
+
+
+def test_job_ends_with_a_killed_workflow(tmp_path, script):
+    runner, log = tmp_path / "runner.py", tmp_path / "job.log"
+    runner.write_text(ORPHAN.format(scripts=str(SCRIPTS)))
+    command = [sys.executable, "-c", WORKFLOW, str(runner), str(script), str(log)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as workflow:
+        pid = int(workflow.stdout.readline())
+        try:
+            assert wait_until(lambda: log.exists() and "at work" in log.read_text())
+            workflow.kill()
+            workflow.wait()
+            assert wait_until(lambda: not alive(pid))
+        finally:
+            if alive(pid):
+                os.kill(pid, signal.SIGKILL)

@@ -1,0 +1,37 @@
+"""Settled motions as columns of a table: class, period and the evidence for them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gearwear.dynamics.attractors import Attractor
+
+_RENAMED = {"exponent": "lyapunov_exponent", "exponent_error": "lyapunov_exponent_error"}
+_FLAGS = ("motion_class", "reason")
+_SECTION = {"displacement": "section_displacement", "velocity": "section_velocity"}
+
+
+def columns(motions: list[Attractor], samples: int, force_parameter: float) -> dict:
+    """Return the variables of a sweep, each as (dimensions, array), from the motions at its points.
+
+    Parameters
+    ----------
+    motions : one a point; may be empty.
+    samples : length of every section.
+    force_parameter : dimensionless mean force; the largest mesh force is given over it.
+    """
+    table = {}
+    for name in Attractor._fields:
+        values = [getattr(motion, name) for motion in motions]
+        if name in _SECTION:
+            table[_SECTION[name]] = (("point", "sample"), np.array(values, dtype=float).reshape(-1, samples))
+            continue
+        kind = np.int32 if name in _FLAGS else float
+        scale = 1 / force_parameter if name == "force_max" else 1
+        table[_RENAMED.get(name, name)] = ("point", scale * np.array(values, dtype=kind))
+    return table
+
+
+def end_of(motion: Attractor) -> tuple[float, float]:
+    """Return displacement and velocity at the end of the sample, where the motion can be taken up again."""
+    return float(motion.displacement[-1]), float(motion.velocity[-1])
