@@ -29,7 +29,11 @@ def drawn_states():
 
 def swept(sweep):
     """What a figure says of its sweep: the section of the sweep without what decides files only."""
-    return {key: value for key, value in config["sweeps"][sweep].items() if key not in ("cases", "points")}
+    return {
+        key: value
+        for key, value in config["sweeps"][sweep].items()
+        if key not in ("cases", "points")
+    }
 
 
 def caption(number):
@@ -285,7 +289,11 @@ rule plot_portraits_cold:
     benchmark:
         "results/benchmarks/plot_portraits_cold.tsv"
     params:
-        cfg={"sweep": "mesh_frequency", "swept": swept("mesh_frequency"), "state": drawn_state("without")},
+        cfg={
+            "sweep": "mesh_frequency",
+            "swept": swept("mesh_frequency"),
+            "state": drawn_state("without"),
+        },
         code=code("plot_portraits.py"),
     message:
         "Figure 13: phase portraits over the mesh frequency, cold and unworn."
@@ -310,7 +318,11 @@ rule plot_portraits_hot:
     benchmark:
         "results/benchmarks/plot_portraits_hot.tsv"
     params:
-        cfg={"sweep": "mesh_frequency", "swept": swept("mesh_frequency"), "state": drawn_state("with")},
+        cfg={
+            "sweep": "mesh_frequency",
+            "swept": swept("mesh_frequency"),
+            "state": drawn_state("with"),
+        },
         code=code("plot_portraits.py"),
     message:
         "Figure 14: phase portraits over the mesh frequency, hot and worn."
@@ -428,7 +440,11 @@ rule plot_portraits_backlash:
     benchmark:
         "results/benchmarks/plot_portraits_backlash.tsv"
     params:
-        cfg={"sweep": "backlash", "swept": swept("backlash"), "state": drawn_state("with")},
+        cfg={
+            "sweep": "backlash",
+            "swept": swept("backlash"),
+            "state": drawn_state("with"),
+        },
         code=code("plot_portraits.py"),
     message:
         "Figure 18: phase portraits over the backlash."

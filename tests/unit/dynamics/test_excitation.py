@@ -24,7 +24,8 @@ SETTINGS = {
 
 @pytest.fixture(scope="module")
 def geometry():
-    edges = np.concatenate([np.linspace(0, RATIO - 1, 61), np.linspace(RATIO - 1, 1, 41)[1:]])
+    pieces = [(0, 0.25, 20), (0.25, RATIO - 1, 40), (RATIO - 1, 1, 40)]
+    edges = np.append(np.concatenate([np.linspace(*piece, endpoint=False) for piece in pieces]), 1.0)
     phase = (edges[1:] + edges[:-1]) / 2
     return xr.Dataset(
         {

@@ -23,7 +23,7 @@ def flank(roll, half):
     return radius * math.sin(angle), radius * math.cos(angle)
 
 
-def drawn_tooth(a1, half, root_ratio=1.0):
+def drawn_tooth(a1, half, root_ratio=1.0, arm=0.0):
     """Compliances times E B by quadrature over the height, from coordinates of the drawn tooth; base radius 1."""
     contact_roll = a1 + half
     contact = np.array(flank(contact_roll, half))
@@ -40,7 +40,7 @@ def drawn_tooth(a1, half, root_ratio=1.0):
 
     def moment(height):
         lever = contact - np.array([0.0, height])
-        return lever[0] * force[1] - lever[1] * force[0]
+        return lever[0] * force[1] - lever[1] * force[0] - arm
 
     def integral(of):
         pieces = sorted({bottom, foot_of_flank[1], contact[1]})
@@ -67,6 +67,14 @@ def test_tooth_clamped_at_the_root_equals_the_drawn_tooth_down_to_the_root(teeth
     half, a1 = half_on_base(teeth), math.radians(degrees)
     found = tooth_compliance(np.array([a1]), half, POISSON, root_ratio=root_ratio)
     np.testing.assert_allclose(np.ravel(found), drawn_tooth(a1, half, root_ratio), rtol=1e-8)
+
+
+@pytest.mark.parametrize("root_ratio", [0.924, 1.0, 1.01])
+@pytest.mark.parametrize("arm", [-0.02, 0.01])
+def test_change_of_the_moment_arm_bends_the_whole_tooth(root_ratio, arm):
+    half, a1 = half_on_base(25), math.radians(19)
+    found = tooth_compliance(np.array([a1]), half, POISSON, np.array([arm]), None, root_ratio)
+    np.testing.assert_allclose(np.ravel(found), drawn_tooth(a1, half, root_ratio, arm), rtol=1e-8)
 
 
 def test_moment_of_the_load_is_force_times_base_radius_less_height_times_cosine():
