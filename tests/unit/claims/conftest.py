@@ -69,9 +69,7 @@ def state(case: str, cycle: int) -> dict:
             },
             {"mesh_phase": phase, **on_path},
         ),
-        ("backlash", case, cycle): xr.Dataset(
-            {"backlash_path": ("path", 65e-6 + deflection + bowl)}, on_path
-        ),
+        ("backlash", case, cycle): xr.Dataset({"backlash_path": ("path", 65e-6 + deflection + bowl)}, on_path),
     }
     return datasets
 
@@ -84,6 +82,7 @@ def sweep(name: str, swept, motion_class, displacement=None) -> xr.Dataset:
         {
             "motion_class": ("point", np.asarray(motion_class)),
             "section_displacement": (("point", "sample"), np.stack([section, section], axis=1)),
+            "section_velocity": (("point", "sample"), np.zeros((swept.size, 2))),
         },
         {name: ("point", swept)},
     )

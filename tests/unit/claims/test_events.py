@@ -16,7 +16,7 @@ def sweep_of(motion_class, displacement=None, swept=None) -> Sweep:
     motion_class = np.asarray(motion_class)
     swept = np.arange(1.0, motion_class.size + 1) if swept is None else np.asarray(swept)
     section = np.zeros(swept.size) if displacement is None else np.asarray(displacement, dtype=float)
-    return Sweep(swept, motion_class, section, section)
+    return Sweep(swept, motion_class, np.column_stack([section] * 4))
 
 
 def test_runs_cover_the_sequence():
@@ -73,10 +73,12 @@ def test_amplitude_jump_is_the_largest_change_inside_its_range():
     assert event.found == "largest change 0.400 half clearances between 0.5000 and 0.6000"
 
 
-def test_amplitude_jump_sees_either_extreme_of_the_section():
+@pytest.mark.parametrize("column", range(4))
+def test_amplitude_jump_sees_either_extreme_of_displacement_and_velocity(column):
     sweep = amplitude_sweep([1.0] * 7)
-    lowest = np.where(sweep.swept > 0.65, 0.5, 1.0)
-    event = find_event(Sweep(sweep.swept, sweep.motion_class, lowest, sweep.highest), "amplitude jump")
+    extent = sweep.extent.copy()
+    extent[sweep.swept > 0.65, column] -= 0.5
+    event = find_event(Sweep(sweep.swept, sweep.motion_class, extent), "amplitude jump")
     assert event.location == pytest.approx(0.65)
 
 

@@ -10,7 +10,7 @@ def test_points_are_put_in_ascending_order(study, results, make_sweep):
     sweep = read_sweep(study, "with", "ste")
     np.testing.assert_array_equal(sweep.swept, [1.0, 2.0, 3.0])
     np.testing.assert_array_equal(sweep.motion_class, [1, 2, 101])
-    np.testing.assert_array_equal(sweep.highest, [0.1, 0.2, 0.3])
+    np.testing.assert_array_equal(sweep.extent[:, 1], [0.1, 0.2, 0.3])
 
 
 def test_extent_of_the_section(study, results, make_sweep):
@@ -18,8 +18,8 @@ def test_extent_of_the_section(study, results, make_sweep):
     dataset["section_displacement"].values[:] = [[-0.5, 1.5], [np.nan, np.nan]]
     results["sweep", "with", "ste"] = dataset
     sweep = read_sweep(study, "with", "ste")
-    np.testing.assert_array_equal(sweep.lowest, [-0.5, np.nan])
-    np.testing.assert_array_equal(sweep.highest, [1.5, np.nan])
+    np.testing.assert_array_equal(sweep.extent[:, 0], [-0.5, np.nan])
+    np.testing.assert_array_equal(sweep.extent[:, 1], [1.5, np.nan])
 
 
 def test_missing_sweep_section_or_class_is_undecided(study, results, make_sweep):

@@ -24,7 +24,7 @@ SETTINGS = {
 
 @pytest.fixture(scope="module")
 def geometry():
-    pieces = [(0, 0.25, 20), (0.25, RATIO - 1, 40), (RATIO - 1, 1, 40)]
+    pieces = [(0, 0.25, 200), (0.25, RATIO - 1, 400), (RATIO - 1, 1, 400)]
     edges = np.append(np.concatenate([np.linspace(*piece, endpoint=False) for piece in pieces]), 1.0)
     phase = (edges[1:] + edges[:-1]) / 2
     return xr.Dataset(
@@ -84,9 +84,9 @@ def test_first_harmonic_of_stiffness_and_error_are_in_antiphase_for_an_ideal_pai
     mean = 0.6 * 4e8 + 0.4 * 2.5e8
     expected = 2 / math.pi * 1.5e8 * math.sin(0.6 * math.pi) / mean
     assert found.stiffness.amplitudes[0] == pytest.approx(expected, rel=1e-3)
-    assert found.stiffness.phases[0] == pytest.approx(-0.6 * math.pi, abs=1e-9)
+    assert found.stiffness.phases[0] == pytest.approx(-0.6 * math.pi, abs=1e-5)
     assert found.shape.amplitudes == pytest.approx((1.0,))
-    assert found.shape.phases[0] == pytest.approx(0.4 * math.pi, abs=1e-9)
+    assert found.shape.phases[0] == pytest.approx(0.4 * math.pi, abs=1e-5)
 
 
 def test_meanings_of_the_error_amplitude(geometry, reference, worn):
@@ -128,7 +128,7 @@ def test_full_tables_pass_through_the_cells_and_jump_only_between_zones(geometry
         scale = values.values[0] / table.at(geometry["mesh_phase"].values)[0]
         np.testing.assert_allclose(table.at(geometry["mesh_phase"].values) * scale, values.values, rtol=1e-9)
         gaps = np.abs(np.array(table.start[1:]) - np.array(table.end[:-1]))
-        assert np.flatnonzero(gaps > 1e-9).tolist() == [59]
+        assert np.flatnonzero(gaps > 1e-9).tolist() == [599]
         assert abs(table.start[0] - table.end[-1]) > 1e-9
     assert found.stiffness.breaks == found.shape.breaks
     assert mean_over_mesh(found.stiffness.at(geometry["mesh_phase"].values), geometry["mesh_phase_width"].values) == (
@@ -196,6 +196,6 @@ def test_sweep_of_the_backlash_scales_the_error_or_the_clearance(geometry, refer
 
 
 def test_a_constant_error_is_refused(geometry, reference):
-    flat = reference.assign(transmission_error=("mesh_phase", np.zeros(100)))
+    flat = reference.assign(transmission_error=("mesh_phase", np.zeros(1000)))
     with pytest.raises(ValueError, match="constant over the mesh"):
         of(geometry, flat, reference)

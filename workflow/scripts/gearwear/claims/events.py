@@ -74,17 +74,19 @@ def onset_of_chaos(sweep: Sweep) -> Event:
 def amplitude_jump(sweep: Sweep) -> Event:
     """Return the midpoint of the two neighbouring points between which the section changes most.
 
-    The change is that of the least or the greatest section displacement, whichever is larger. Points
-    without a section are left out. A change of at most `rules.AMPLITUDE_JUMP_LEAST` is no event.
+    The section lies in the phase plane: the change is the largest of those of its least and greatest displacement
+    and velocity, all over the half clearance (and the natural frequency). Points without a section are left out. A
+    change of at most `rules.AMPLITUDE_JUMP_LEAST` is no event.
     """
     low, high = rules.AMPLITUDE_JUMP_RANGE
     sweep.require_span(low, high)
     tolerance = rules.GRID_TOLERANCE
-    inside = (sweep.swept >= low - tolerance) & (sweep.swept <= high + tolerance) & np.isfinite(sweep.lowest)
+    inside = (sweep.swept >= low - tolerance) & (sweep.swept <= high + tolerance)
+    inside &= np.isfinite(sweep.extent).all(axis=1)
     swept = sweep.swept[inside]
     if swept.size < 2:
         raise Undecided(f"fewer than two points with a section between {low} and {high}")
-    change = np.maximum(np.abs(np.diff(sweep.lowest[inside])), np.abs(np.diff(sweep.highest[inside])))
+    change = np.abs(np.diff(sweep.extent[inside], axis=0)).max(axis=1)
     place = int(np.argmax(change))
     found = f"largest change {change[place]:.3f} half clearances between {swept[place]:.4f} and "
     found += f"{swept[place + 1]:.4f}"

@@ -23,7 +23,7 @@ AMPLITUDE_JUMP_RANGE = (0.4, 0.75)
 """Range of the swept variable in which the amplitude jump is looked for."""
 
 AMPLITUDE_JUMP_LEAST = 0.2
-"""Change of the section displacement above which it jumps, in units of the half clearance."""
+"""Change of the section above which it jumps, in units of the half clearance."""
 
 FAR_MORE = 2.0
 """Ratio above which one size is "far more" than another."""

@@ -21,14 +21,14 @@ class Sweep:
     swept : (point,) float
     motion_class : (point,) int
         0 not converged, n period n, 100 quasi-periodic, 101 chaotic.
-    lowest, highest : (point,) float
-        Least and greatest section displacement in half clearances; NaN where a point has no section.
+    extent : (point, 4) float
+        Least and greatest displacement and velocity of the section, in half clearances and half clearances times
+        the natural frequency; NaN where a point has no section.
     """
 
     swept: np.ndarray
     motion_class: np.ndarray
-    lowest: np.ndarray
-    highest: np.ndarray
+    extent: np.ndarray
 
     def require_span(self, low: float, high: float) -> None:
         """Raise `Undecided` unless the sweep spans [low, high]."""
@@ -40,20 +40,21 @@ class Sweep:
 def read_sweep(study: Study, case: str, name: str) -> Sweep:
     """Return sweep `name` of `case`; `Undecided` if it is missing or holds values that are not finite.
 
-    The section displacement may be NaN at single points, those without a section.
+    The section may be NaN at single points, those without one.
     """
     swept = study.field(name, "sweep", case, name).values
     motion_class = study.field("motion_class", "sweep", case, name).values.astype(int)
     dataset = study.results["sweep", case, name]
-    if "section_displacement" not in dataset.variables:
-        raise Undecided(f"no variable section_displacement in sweep/{case}/{name}")
-    section = dataset["section_displacement"].transpose("point", "sample").values
-    has_section = np.isfinite(section).any(axis=1)
-    lowest, highest = np.full(swept.size, np.nan), np.full(swept.size, np.nan)
-    lowest[has_section] = np.nanmin(section[has_section], axis=1)
-    highest[has_section] = np.nanmax(section[has_section], axis=1)
+    extent = np.full((swept.size, 4), np.nan)
+    for column, variable in ((0, "section_displacement"), (2, "section_velocity")):
+        if variable not in dataset.variables:
+            raise Undecided(f"no variable {variable} in sweep/{case}/{name}")
+        section = dataset[variable].transpose("point", "sample").values
+        known = np.isfinite(section).any(axis=1)
+        extent[known, column] = np.nanmin(section[known], axis=1)
+        extent[known, column + 1] = np.nanmax(section[known], axis=1)
     order = np.argsort(swept, kind="stable")
-    return Sweep(swept[order], motion_class[order], lowest[order], highest[order])
+    return Sweep(swept[order], motion_class[order], extent[order])
 
 
 def class_code(name: str) -> int:

@@ -76,7 +76,15 @@ def gear_pair(
     root = reference - (addendum + clearance_coefficient - shift) * module
     thickness = module * (math.pi / 2 + 2 * shift * math.tan(alpha))
     half = thickness / (2 * reference) + involute(alpha)
-    rounding = clearance_coefficient / (1 - math.sin(alpha))
+    widest = (math.pi / 4 - (addendum + clearance_coefficient) * math.tan(alpha)) * math.cos(alpha)
+    if widest.min() <= 0:
+        raise ValueError(
+            f"gear_pair: a rack with addendum_coefficient + clearance_coefficient = "
+            f"{(addendum + clearance_coefficient).max():g} is pointed at its tip; the sum must stay below "
+            f"{math.pi / 4 / math.tan(alpha):.4f}"
+        )
+    # a full clearance is rounded; where that leaves no land at the tip of the rack, the tip is one arc
+    rounding = np.minimum(clearance_coefficient, widest) / (1 - math.sin(alpha))
     flank = math.pi / 2 + 2 * rounding / math.cos(alpha)  # the shift moves the rack tooth, not its width at the tip
     pair = GearPair(
         teeth=z,

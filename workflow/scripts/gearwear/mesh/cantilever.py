@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(64)
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(32)
 
 
 class ToothCompliance(NamedTuple):
@@ -35,6 +35,7 @@ def tooth_compliance(
     arm_change: np.ndarray | None = None,
     section_change: Callable[[np.ndarray], np.ndarray] | None = None,
     root_ratio: float | None = None,
+    section_breaks: tuple[float, ...] = (),
 ) -> ToothCompliance:
     """Return the compliances of a tooth clamped at the base circle, or at the root circle.
 
@@ -47,6 +48,7 @@ def tooth_compliance(
     section_change : function of the section angles (rad, shape (n, m)) that returns H, the change of the half
         thickness over r_b; None means none.
     root_ratio : r_f/r_b clamps the tooth at the root circle; None clamps it at the base circle.
+    section_breaks : section angles (rad) where H jumps; the integrals are split there.
 
     Notes
     -----
@@ -59,13 +61,16 @@ def tooth_compliance(
     upper = a2
     if root_ratio is not None and root_ratio > 1:
         upper = a2 - np.sqrt(root_ratio**2 - 1)
-    half_range = (upper + a1) / 2
-    a = half_range * (_NODES + 1) - a1
+    marks = np.broadcast_to(np.sort([*section_breaks, upper]), (len(load_angles), len(section_breaks) + 1))
+    edges = np.concatenate([-a1, np.clip(marks, -a1, upper)], axis=1)
+    half_range = np.diff(edges)[:, :, None] / 2
+    a = (edges[:, :-1, None] + half_range * (_NODES + 1)).reshape(len(load_angles), -1)
+    weights = (half_range * _WEIGHTS).reshape(a.shape)
     thickness = np.sin(a) + (a2 - a) * np.cos(a)
     if section_change is not None:
         thickness = thickness + section_change(a)
     lever = 1 - arm + np.cos(a1) * ((a2 - a) * np.sin(a) - np.cos(a))
-    advance = (a2 - a) * np.cos(a) * half_range * _WEIGHTS
+    advance = (a2 - a) * np.cos(a) * weights
     slice_area = (advance / thickness).sum(axis=1)
     bending = (1.5 * lever**2 * advance / thickness**3).sum(axis=1)
     cos1, sin1 = np.cos(load_angles), np.sin(load_angles)

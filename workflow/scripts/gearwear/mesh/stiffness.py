@@ -58,10 +58,9 @@ def pair_stiffness(
         base, half = float(geometry["base_radius"][i]), float(geometry["base_half_angle"][i])
         root, bore = float(geometry["root_radius"][i]), float(geometry["bore_radius"][i])
         angles = load_angle(radii[i], base, half)
-        arm, section = _profile_changes(settings["profile_changes"], flanks, i, radii[i], angles, base, half)
-        tooth = tooth_compliance(
-            angles, half, poisson_ratio[i], arm, section, root / base if settings["cantilever"] == "root" else None
-        )
+        arm, section, breaks = _profile_changes(settings["profile_changes"], flanks, i, radii[i], angles, base, half)
+        clamp = root / base if settings["cantilever"] == "root" else None
+        tooth = tooth_compliance(angles, half, poisson_ratio[i], arm, section, clamp, breaks)
         body = foundation_compliance(angles, base, root, bore, root_angle[i])
         for name, value in (*tooth._asdict().items(), ("foundation", body)):
             parts[name][i] = value / (modulus[i] * width)
@@ -96,12 +95,13 @@ def mesh_stiffness(pairs: PairStiffness, entering: np.ndarray, leaving: np.ndarr
 
 
 def _profile_changes(mode, flanks, i, curvature, angles, base, half):
-    """Return D (n,) and the function H(section angles): see docs/model.md, mesh stiffness."""
+    """Return D (n,), the function H(section angles) and the angles where it jumps: see docs/model.md."""
     if mode == "off":
-        return None, None
+        return None, None, ()
     wear, growth = flanks.wear[i], flanks.growth[i]
     order = np.arange(len(curvature)) if i == 0 else np.arange(len(curvature))[::-1]
     known = curvature[order] / base
+    jumps = known[np.concatenate([[True], np.diff(known) == 0])]  # where wear begins and where the load steps
 
     def at_section(values, section, below):
         return np.interp(half - section, known, values[order], left=below)
@@ -118,7 +118,7 @@ def _profile_changes(mode, flanks, i, curvature, angles, base, half):
         change = (-worn + 2 * grown) * cos / (2 * base)
         return change * cos if mode == "paper" else change
 
-    return arm, section_change
+    return arm, section_change, tuple(half - jumps)
 
 
 def _linear_hertz(modulus, poisson_ratio, width: float) -> float:

@@ -192,8 +192,8 @@ class MeshStiffness(Section):
     fillet_angle: Literal["rack", "straight", "generated"] = choice(
         "Half angle of the tooth at the root circle",
         rack="the formula of the peers, which leaves out the clearance",
-        generated="of the fillet that a rack with rounded tips generates",
         straight="of a block of constant width below the base circle",
+        generated="of the fillet that a rack with rounded tips generates",
     )
     hertz: Literal["linear", "weber"] = choice(
         "Contact stiffness of a tooth pair",

@@ -56,7 +56,8 @@ def announce(sentence: str) -> None:
 
 
 def _die_with_parent() -> None:
+    parent = os.getppid()
     with suppress(OSError, AttributeError):  # Linux only
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)
-        if os.getppid() == 1:  # the parent was gone before the call
-            raise SystemExit("the workflow that started this job is gone")
+    if os.getppid() != parent:  # it was gone before the call
+        raise SystemExit("the workflow that started this job is gone")

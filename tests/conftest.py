@@ -1,0 +1,53 @@
+"""One small run of the whole workflow, shared by the tests that look at it."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+SMOKE = ("--configfile", "config/config.yaml", "config/smoke.yaml")
+
+
+class Project:
+    """A copy of the program in a folder of its own."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+        self.printed = ""
+        for name in ("Snakefile", "workflow", "config", "profiles"):
+            copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
+            copy(ROOT / name, folder / name)
+
+    def snakemake(self, *arguments: str, cwd: Path | None = None) -> subprocess.CompletedProcess:
+        """Run snakemake in the copy and return what it printed, both streams in `stdout`."""
+        environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+        return subprocess.run(
+            [sys.executable, "-m", "snakemake", *arguments],
+            cwd=cwd or self.folder,
+            env=environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
+
+    def planned(self, *arguments: str) -> set[str]:
+        """Return the output files that `snakemake -n all` would make anew."""
+        dry = self.snakemake("-n", "all", *(arguments or SMOKE))
+        assert dry.returncode == 0, dry.stdout
+        lines = re.findall(r"^    output: (.*)$", dry.stdout, flags=re.MULTILINE)
+        return {name for line in lines for name in line.split(", ")}
+
+
+@pytest.fixture(scope="session")
+def smoke_run(tmp_path_factory):
+    """A copy of the program after `snakemake -j2 all` on the smoke configuration."""
+    project = Project(tmp_path_factory.mktemp("smoke"))
+    run = project.snakemake("-j2", "all", *SMOKE)
+    assert run.returncode == 0, run.stdout[-20000:]
+    project.printed = run.stdout
+    return project
