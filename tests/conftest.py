@@ -36,11 +36,12 @@ class Project:
         )
 
     def planned(self, *arguments: str) -> set[str]:
-        """Return the output files that `snakemake -n all` would make anew."""
-        dry = self.snakemake("-n", "all", *(arguments or SMOKE))
-        assert dry.returncode == 0, dry.stdout
-        lines = re.findall(r"^    output: (.*)$", dry.stdout, flags=re.MULTILINE)
-        return {name for line in lines for name in line.split(", ")}
+        """Return the result files that `snakemake all` would make anew."""
+        table = self.snakemake("--summary", "all", *(arguments or SMOKE))
+        assert table.returncode == 0, table.stdout
+        files = re.findall(r"^(results/\S+)\t.*\t(update pending|no update)$", table.stdout, flags=re.MULTILINE)
+        assert len(files) > 100, table.stdout
+        return {name for name, plan in files if plan == "update pending"}
 
 
 @pytest.fixture(scope="session")

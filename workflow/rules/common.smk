@@ -79,13 +79,17 @@ def reference(stage):
 
 def states():
     """The dynamic response of every case at every wear cycle."""
-    for case in config["cases"]:
-        for q in range(int(last(case)) + 1):
-            yield f"results/{case}/response/q{q:03d}.nc"
+    return [
+        f"results/{case}/response/q{q:03d}.nc"
+        for case in config["cases"]
+        for q in range(int(last(case)) + 1)
+    ]
 
 
 def swept_cases():
     """Case and sweep of every sweep of the configuration."""
-    for sweep in ("mesh_frequency", "ste", "backlash"):
-        for case in config["sweeps"][sweep]["cases"]:
-            yield case, sweep
+    return [
+        (case, sweep)
+        for sweep in ("mesh_frequency", "ste", "backlash")
+        for case in config["sweeps"][sweep]["cases"]
+    ]

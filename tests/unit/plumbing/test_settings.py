@@ -75,7 +75,6 @@ def test_the_input_is_left_as_it_was(raw):
         ("mesh_stiffness.profile_changes", False, "off"),
         ("cases.with.flash", "false", False),
         ("portraits.ste.with", ["1e0", 2], [1.0, 2.0]),
-        ("portraits.ste.with", [], []),
     ],
 )
 def test_spellings_of_yaml_and_the_command_line_are_read(raw, path, written, read):

@@ -17,6 +17,7 @@ from gearwear.plumbing.wording import dotted, figure, listed, shown
 
 SWEEPS = ("mesh_frequency", "ste", "backlash")
 REQUIRED_CASES = ("without", "temperature_only", "wear_only", "with")
+DRAWN_PORTRAITS = (("mesh_frequency", "without"), ("mesh_frequency", "with"), ("ste", "with"), ("backlash", "with"))
 RESERVED_NAMES = ("figures", "logs", "benchmarks", "geometry")
 MOST_UPDATES = 999
 _LONGEST_NAME = 60
@@ -176,6 +177,10 @@ def _case_lists(values: dict[str, Any]) -> Iterator[Problem]:
 
 def _portraits(values: dict[str, Any]) -> Iterator[Problem]:
     cases = _at(values, "cases")
+    for sweep, case in DRAWN_PORTRAITS:
+        drawn = _at(values, f"portraits.{sweep}")
+        if drawn is not None and not drawn.get(case):
+            yield ("portraits", sweep, case), "figures 13 to 18 draw this case; give a list with at least one value"
     for sweep in SWEEPS:
         for name, drawn in (_at(values, f"portraits.{sweep}") or {}).items():
             path = ("portraits", sweep, name)

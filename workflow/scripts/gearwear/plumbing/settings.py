@@ -40,7 +40,8 @@ def check(raw: Any) -> dict[str, Any]:
     """
     problems: list[Problem] = []
     values = _read_section(Configuration, raw, (), problems)
-    problems.extend(disagreements(values))
+    told = {path[:depth] for path, _ in problems for depth in range(len(path) + 1)}
+    problems += [problem for problem in disagreements(values) if problem[0] not in told]
     if problems:
         raise ConfigError(_message(problems))
     return Configuration.model_validate(values).model_dump()

@@ -204,7 +204,7 @@ class Sweeps(Section):
 
 
 class Portraits(Section):
-    """Swept values whose phase portraits are drawn, by case; an empty list draws none."""
+    """Swept values whose phase portraits are drawn, by case."""
 
     mesh_frequency: dict[CaseName, Numbers] = quantity("1", "Mesh frequencies of the phase portraits.")
     ste: dict[CaseName, Numbers] = quantity("1", "Relative mean transmission errors of the phase portraits.")

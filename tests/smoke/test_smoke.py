@@ -1,0 +1,129 @@
+"""The whole workflow on the smoke configuration."""
+
+import csv
+import json
+
+import netCDF4
+import pytest
+
+FIGURES = [f"fig{number:02d}" for number in range(6, 19)]
+
+
+def test_every_promised_file_is_there(smoke_run):
+    results = smoke_run.folder / "results"
+    for figure in FIGURES:
+        for kind in ("svg", "png"):
+            assert (results / "figures" / f"{figure}.{kind}").stat().st_size > 2000
+    last = {"without": 0, "temperature_only": 0, "with": 3, "wear_only": 2, "n0700_t060": 1, "n1400_t080": 2}
+    for case, cycles in last.items():
+        for stage in ("wear", "mesh_stiffness", "transmission_error", "backlash", "response"):
+            made = sorted(path.name for path in (results / case / stage).iterdir())
+            assert made == [f"q{q:03d}.nc" for q in range(cycles + 1)]
+    assert not list(results.rglob("*.tmp"))
+
+
+def test_all_claims_are_judged_and_counted(smoke_run):
+    with open(smoke_run.folder / "results" / "claims.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == 54
+    assert list(rows[0]) == ["id", "figure", "says", "expected", "found", "verdict"]
+    assert {row["verdict"] for row in rows} <= {"agree", "differs", "not decided"}
+    agree = sum(row["verdict"] == "agree" for row in rows)
+    assert f"Claims of the paper: {agree} of 54 agree" in smoke_run.printed
+
+
+def test_every_job_left_a_log_and_a_benchmark(smoke_run):
+    results = smoke_run.folder / "results"
+    logs = {path.relative_to(results / "logs").with_suffix("") for path in (results / "logs").rglob("*.log")}
+    costs = {path.relative_to(results / "benchmarks").with_suffix("") for path in (results / "benchmarks").rglob("*.tsv")}
+    assert logs and logs == costs
+
+
+def test_every_file_says_what_it_is(smoke_run):
+    files = sorted((smoke_run.folder / "results").rglob("*.nc"))
+    assert len(files) > 60
+    for path in files:
+        with netCDF4.Dataset(path) as file:
+            assert file.Conventions == "CF-1.11"
+            assert len(file.lineage) == len(file.code) == 16
+            json.loads(file.config), json.loads(file.inputs)
+            for name, variable in file.variables.items():
+                assert variable.long_name, (path, name)
+                labels = variable.dtype is str or variable.dtype.kind in "iU"
+                assert labels or variable.units, (path, name)
+
+
+@pytest.mark.parametrize(
+    "pattern, variables",
+    [
+        ("with/wear/q001.nc", ["wear_depth"]),
+        ("with/mesh_stiffness/q001.nc", ["mesh_stiffness", "pair_stiffness"]),
+        ("with/transmission_error/q001.nc", ["transmission_error", "load_sharing_factor", "elastic_deflection"]),
+        ("with/backlash/q001.nc", ["backlash", "backlash_path"]),
+        ("with/response/q001.nc", ["mesh_force"]),
+        ("with/temperature.nc", ["contact_temperature", "flash_temperature"]),
+        ("with/deformation.nc", ["thermal_growth"]),
+        *[
+            (f"with/sweeps/{sweep}.nc", [sweep, "section_displacement", "section_velocity", "motion_class", "period"])
+            for sweep in ("mesh_frequency", "ste", "backlash")
+        ],
+        ("without/sweeps/mesh_frequency.nc", ["lyapunov_exponent", "contact_loss_share"]),
+    ],
+)
+def test_public_names(smoke_run, pattern, variables):
+    with netCDF4.Dataset(smoke_run.folder / "results" / pattern) as file:
+        assert set(variables) <= set(file.variables)
+
+
+def test_another_folder_gives_the_same_bytes(smoke_run, tmp_path):
+    targets = ["results/with/response/q001.nc", "results/without/sweeps/mesh_frequency.nc", "results/figures/fig07.svg"]
+    configs = [str(smoke_run.folder / "config" / name) for name in ("config.yaml", "smoke.yaml")]
+    run = smoke_run.snakemake(
+        "-j2", "--directory", str(tmp_path), "--set-scatter", "sweep=3", "--configfile", *configs, "--", *targets
+    )
+    assert run.returncode == 0, run.stdout
+    for target in targets:
+        assert (tmp_path / target).read_bytes() == (smoke_run.folder / target).read_bytes(), target
+
+
+def test_bad_config_stops_before_any_job(smoke_run, tmp_path):
+    bad = smoke_run.folder / "bad.yaml"
+    bad.write_text("dynamics: {dampng_ratio: 0.1}\nwear: {cycles_per_update: .nan}\n")
+    run = smoke_run.snakemake("-j2", "all", "--directory", str(tmp_path), "--configfile", str(bad))
+    assert run.returncode != 0
+    assert "dynamics.dampng_ratio" in run.stdout and "damping_ratio" in run.stdout
+    assert "wear.cycles_per_update" in run.stdout
+    assert "Traceback" not in run.stdout
+    assert not list(tmp_path.rglob("*.nc"))
+
+
+@pytest.mark.parametrize(
+    "change, words",
+    [
+        ("gear_pair: {addendum_coefficient: {pinion: 0.45, gear: 0.45}}", ["contact ratio", "between 1 and 2"]),
+        ("gear_pair: {bore_radius: {pinion: 0.05}}", ["bore_radius.pinion", "root radius"]),
+        ("backlash: {half_backlash: 1.0e-6}", ["jam", "half backlash", "um"]),
+    ],
+)
+def test_impossible_gears_stop_with_quantity_value_and_limit(smoke_run, tmp_path, change, words):
+    bad = tmp_path / "bad.yaml"
+    bad.write_text(change)
+    run = smoke_run.snakemake(
+        "-j2", "results/with/backlash/q000.nc", "--directory", str(tmp_path), "--configfile", str(bad)
+    )
+    assert run.returncode != 0
+    for word in words:
+        assert word in run.stdout
+    assert not list(tmp_path.rglob("*.tmp"))
+
+
+def test_truncated_input_is_named(smoke_run, tmp_path):
+    target = "results/with/temperature.nc"
+    made = smoke_run.snakemake("-j2", "--directory", str(tmp_path), "results/geometry.nc")
+    assert made.returncode == 0, made.stdout
+    geometry = tmp_path / "results" / "geometry.nc"
+    geometry.write_bytes(geometry.read_bytes()[:4000])
+    run = smoke_run.snakemake("-j2", "--directory", str(tmp_path), target)
+    assert run.returncode != 0
+    assert "results/geometry.nc: not a readable netCDF file" in run.stdout
+    assert not (tmp_path / target).exists()
