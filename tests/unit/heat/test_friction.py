@@ -117,3 +117,10 @@ def test_thresholds_exceed_load_sharing_where_gears_run():
 def test_friction_takes_the_full_film_place_by_place():
     full_film = np.array([0.0, 0.02, 0.04])
     assert friction_coefficient(np.full(3, 5.0), full_film, "load_sharing", 0.2, 0.1) == pytest.approx(full_film)
+
+
+def test_rough_flanks_rub_no_harder_than_boundary_contact():
+    rough = elastohydrodynamic_friction(1.0e9, 0.5, 5.0, 0.01, 0.01, 1e-5)
+    assert np.isfinite(rough)
+    for law in ("load_sharing", "thresholds"):
+        assert friction_coefficient(5.0, 3.0, law, 0.2, 0.1) == pytest.approx(0.1, rel=1e-12)

@@ -10,10 +10,11 @@ _B = (-8.916465, 1.03303, 1.036077, -0.354068, 2.812084, -0.100601, 0.752755, -0
 
 _DRY_RATIO, _BOUNDARY_RATIO = 0.005, 0.05  # film ratios between which dry friction fades out
 _FULL_FILM_RATIO = 2.0
+_ROUGHEST = 2.0  # um; the regression grows doubly exponentially with the roughness
 
 
 def elastohydrodynamic_friction(peak_pressure, sliding_ratio, rolling_speed, viscosity, radius, roughness):
-    """Return the coefficient of friction of a full film: regression of Xu (2005).
+    """Return the coefficient of friction of a full film: regression of Xu (2005), held beyond a roughness of 2 um.
 
     Parameters
     ----------
@@ -27,7 +28,7 @@ def elastohydrodynamic_friction(peak_pressure, sliding_ratio, rolling_speed, vis
     pressure, slip = 1e-9 * peak_pressure, np.abs(sliding_ratio)
     inlet = 1e3 * viscosity
     strain = slip * pressure * np.log10(inlet)
-    exponent = _B[0] + _B[3] * strain + _B[4] * np.exp(-strain) + _B[8] * np.exp(1e6 * roughness)
+    exponent = _B[0] + _B[3] * strain + _B[4] * np.exp(-strain) + _B[8] * np.exp(min(1e6 * roughness, _ROUGHEST))
     powers = pressure ** _B[1] * slip ** _B[2] * rolling_speed ** _B[5] * inlet ** _B[6] * radius ** _B[7]
     return np.exp(exponent) * powers
 
@@ -38,13 +39,13 @@ def friction_coefficient(film_ratio, full_film, law: str, dry: float, boundary: 
     Parameters
     ----------
     film_ratio : array.
-    full_film : coefficient of the full film at the same places.
+    full_film : coefficient of the full film at the same places; a film rubs no harder than boundary contact.
     law : `load_sharing`, film and asperities share the load (Castro and Seabra 2007 with the function of Zhu and Hu
         2001) and dry friction sets in below film ratios of 0.05; `thresholds`, dry below 0.4, boundary to 1, mixed to
         3, full film above, joined smoothly.
     dry, boundary : coefficients of dry and of boundary contact.
     """
-    film_ratio = np.asarray(film_ratio, dtype=float)
+    film_ratio, full_film = np.asarray(film_ratio, dtype=float), np.minimum(full_film, boundary)
     if law == "load_sharing":
         share = _film_share(film_ratio)
         mixed = full_film * share**1.2 + boundary * (1 - share)
