@@ -35,7 +35,9 @@ def test_all_claims_are_judged_and_counted(smoke_run):
 def test_every_job_left_a_log_and_a_benchmark(smoke_run):
     results = smoke_run.folder / "results"
     logs = {path.relative_to(results / "logs").with_suffix("") for path in (results / "logs").rglob("*.log")}
-    costs = {path.relative_to(results / "benchmarks").with_suffix("") for path in (results / "benchmarks").rglob("*.tsv")}
+    costs = {
+        path.relative_to(results / "benchmarks").with_suffix("") for path in (results / "benchmarks").rglob("*.tsv")
+    }
     assert logs and logs == costs
 
 

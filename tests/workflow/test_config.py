@@ -233,7 +233,8 @@ def test_a_bad_key_gives_its_message(path, value, text):
             [
                 "sweeps.mesh_frequency.cases[1]: text 'withot' is no case (did you mean without?)",
                 "sweeps.mesh_frequency.cases[2]: case with is listed twice; take one out",
-                "portraits.mesh_frequency.without: figures 13 to 18 draw this case; give a list with at least one value",
+                "portraits.mesh_frequency.without: figures 13 to 18 draw this case; "
+                "give a list with at least one value",
             ],
         ),
         (

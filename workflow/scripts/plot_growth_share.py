@@ -46,7 +46,10 @@ def main(job):
         along.set_ylim(0, 1.08 * 1e6 * max(float(field.max()) for state in fields for field in state))
         along.set_title(f"{letter(0)} {states.name(drawn[-1])}; thin lines: means", loc="left")
         grouped.set_title(f"{letter(1)} Means over the path", loc="left")
-        grouped.set_xticks(range(len(drawn)), [f"{states.temperature(s)}\n{states.cycles(s)}".replace(" cycles", "\ncycles") for s in drawn])
+        grouped.set_xticks(
+            range(len(drawn)),
+            [f"{states.temperature(s)}\n{states.cycles(s)}".replace(" cycles", "\ncycles") for s in drawn],
+        )
         grouped.tick_params(axis="x", which="both", length=0)
         lines, _ = along.get_legend_handles_labels()
         keys = [*lines, *path_axis.keys()]

@@ -43,7 +43,7 @@ def state(case: str, cycle: int) -> dict:
     on_path = {"path": path}
     of_gears = {"gear": ["pinion", "gear"], "path": path}
     flash = np.abs(path - PITCH) * 1e3 * heat
-    datasets = {
+    return {
         ("temperature", case): xr.Dataset(
             {
                 "contact_temperature": ("path", BULK[case] + flash),
@@ -71,7 +71,6 @@ def state(case: str, cycle: int) -> dict:
         ),
         ("backlash", case, cycle): xr.Dataset({"backlash_path": ("path", 65e-6 + deflection + bowl)}, on_path),
     }
-    return datasets
 
 
 def sweep(name: str, swept, motion_class, displacement=None) -> xr.Dataset:

@@ -27,8 +27,8 @@ def columns(motions: list[Attractor], samples: int, force_parameter: float) -> d
             table[_SECTION[name]] = (("point", "sample"), np.array(values, dtype=float).reshape(-1, samples))
             continue
         kind = np.int32 if name in _FLAGS else float
-        scale = 1 / force_parameter if name == "force_max" else 1
-        table[_RENAMED.get(name, name)] = ("point", scale * np.array(values, dtype=kind))
+        column = np.array(values, dtype=kind)
+        table[_RENAMED.get(name, name)] = ("point", column / force_parameter if name == "force_max" else column)
     return table
 
 
