@@ -204,7 +204,7 @@ BAD = [
     (
         "settling.sampled_periods",
         32,
-        "32 is too few to see settling.largest_period, 16, come back twice; give at least 33 mesh periods",
+        "32 is too few to see settling.largest_period, 16, come back in either half; give at least 64 mesh periods",
     ),
     ("friction.boundary", 0.3, "0.3 is above friction.dry, 0.2; lower it or raise friction.dry"),
 ]

@@ -195,7 +195,10 @@ def test_sweep_of_the_backlash_scales_the_error_or_the_clearance(geometry, refer
     assert wider.error == source.oscillator(SETTINGS, 1.0).error
 
 
-def test_a_constant_error_is_refused(geometry, reference):
-    flat = reference.assign(transmission_error=("mesh_phase", np.zeros(1000)))
-    with pytest.raises(ValueError, match="constant over the mesh"):
-        of(geometry, flat, reference)
+def test_an_error_that_is_none_excites_nothing(geometry, reference):
+    flat = reference.assign(transmission_error=("mesh_phase", np.full(1000, 1e-17)))
+    alone = of(geometry, flat, flat, ste_amplitude="harmonic")
+    assert alone.error_amplitude == 0 and not any(alone.shape.amplitudes)
+    assert math.isnan(alone.relative_mean_error)
+    worn = of(geometry, reference, flat, ste_amplitude="harmonic")
+    assert worn.reference_amplitude == worn.error_amplitude > 0

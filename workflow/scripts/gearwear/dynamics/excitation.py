@@ -15,6 +15,7 @@ from gearwear.dynamics.oscillator import ExternalTorque, Oscillator
 from gearwear.dynamics.periodic import Harmonics, PeriodicTable
 from gearwear.geometry.kinematics import mesh_force
 
+_NO_ERROR = 1e-12  # m; round-off of an error that is none
 _TABLE_CLEARANCE_HARMONICS = 16  # a clearance is a sum of harmonics even where k and e are tables
 
 
@@ -76,27 +77,31 @@ def excitation(geometry, state, reference, pinion_torque: float, settings: dict)
     pinion_torque : N m.
     settings : the section `dynamics`.
 
-    Raises
-    ------
-    ValueError : the transmission error has no first harmonic.
+    Notes
+    -----
+    A transmission error without a first harmonic (below 1e-12 m, as of the pristine pair without load) excites nothing;
+    where it is that of the reference case, the amplitude of the state itself belongs to a relative error of 1.
     """
     phase, width = geometry["mesh_phase"].values, geometry["mesh_phase_width"].values
     length, force = float(state["initial_half_backlash"]), mesh_force(geometry, pinion_torque)
     which = "mesh_stiffness" if settings["stiffness"] == "nominal" else "effective_stiffness"
     stiffness, error = state[which].values, state["transmission_error"].values
     mean = mean_over_mesh(stiffness, width)
-    ratio = mean_over_mesh(error, width) / mean_over_mesh(reference["transmission_error"].values, width)
+    cold = mean_over_mesh(reference["transmission_error"].values, width)
+    ratio = mean_over_mesh(error, width) / cold if cold > _NO_ERROR else np.nan
     own, unit = _amplitudes(settings["ste_amplitude"], error, reference, which, force, ratio, phase, width)
-    first, _ = harmonics(error, phase, width, 1)
-    if first[0] <= 0:
-        raise ValueError("the transmission error is constant over the mesh: it excites nothing")
+    first = harmonics(error, phase, width, 1)[0][0]
+    if first <= _NO_ERROR:
+        error, first, own = np.zeros_like(error), 1.0, 0.0
+    if unit <= _NO_ERROR:
+        unit = own
     if settings["harmonics"] == "full":
         double = geometry["leaving"].values >= 0
         relative_stiffness = _table(stiffness / mean, width, double)
-        shape = _table(error / first[0], width, double)
+        shape = _table(error / first, width, double)
     else:
         relative_stiffness = Harmonics(1.0, *harmonics(stiffness / mean, phase, width, settings["harmonics"]))
-        shape = Harmonics(0.0, *harmonics(error / first[0], phase, width, settings["harmonics"]))
+        shape = Harmonics(0.0, *harmonics(error / first, phase, width, settings["harmonics"]))
     clearance = state["backlash"].values / length
     count = 0
     if settings["clearance"] == "varying":

@@ -37,6 +37,7 @@ def disagreements(values: dict[str, Any]) -> Iterator[Problem]:
     yield from _temperatures(values)
     yield from _materials_of_contact(values)
     yield from _settling(values)
+    yield from _unloaded_error(values)
     if isinstance(_at(values, "cases"), dict):
         yield from _case_names(values)
         yield from _updates(values)
@@ -103,11 +104,21 @@ def _settling(values: dict[str, Any]) -> Iterator[Problem]:
             f"{looks[1]} is below settling.transient_periods, {looks[0]}; give at least that many",
         )
     section = _pair(values, "settling.largest_period", "settling.sampled_periods")
-    if section and section[1] < 2 * section[0] + 1:
+    if section and section[1] < 4 * section[0]:
         yield (
             ("settling", "sampled_periods"),
-            f"{section[1]} is too few to see settling.largest_period, {section[0]}, come back twice; "
-            f"give at least {2 * section[0] + 1} mesh periods",
+            f"{section[1]} is too few to see settling.largest_period, {section[0]}, come back in either half; "
+            f"give at least {4 * section[0]} mesh periods",
+        )
+
+
+def _unloaded_error(values: dict[str, Any]) -> Iterator[Problem]:
+    amplitude = _at(values, "dynamics.ste_amplitude")
+    if _at(values, "transmission_error.mode") == "no_load" and amplitude in ("nominal", "mean"):
+        yield (
+            ("dynamics", "ste_amplitude"),
+            f"{amplitude} compares with the loaded error of the pristine pair, and transmission_error.mode no_load has "
+            "none; give harmonic",
         )
 
 

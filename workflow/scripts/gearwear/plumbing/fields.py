@@ -138,7 +138,9 @@ FIELDS: dict[str, Field] = {
     "stiffness_amplitude": Field("1", "amplitude of the stiffness over its mean", (("harmonic",),)),
     "stiffness_phase": Field("rad", "phase of the stiffness, zero at pair entry", (("harmonic",),)),
     "mean_clearance": Field("1", "mean half clearance over initial half backlash", _SCALAR),
-    "relative_mean_error": Field("1", "mean transmission error over that of the reference case", _SCALAR),
+    "relative_mean_error": Field(
+        "1", "mean transmission error over that of the reference case, if this has one", _SCALAR, None, True
+    ),
     # sweeps and portraits
     "mesh_frequency": Field("1", "mesh frequency over natural frequency", _POINT),
     "ste": Field("1", "mean static transmission error over that of the reference case", _POINT),

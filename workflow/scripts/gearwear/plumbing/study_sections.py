@@ -129,8 +129,8 @@ class Settling(Section):
     longest_transient: Whole = quantity(
         "1", "Mesh periods after which a point is given up as not converged.", ge=1, le=10_000_000
     )
-    sampled_periods: Whole = quantity("1", "Mesh periods of the Poincare section.", ge=3, le=1_000_000)
-    largest_period: Whole = quantity("1", "Longest period looked for, in mesh periods.", ge=1, le=1000)
+    sampled_periods: Whole = quantity("1", "Mesh periods of the Poincare section.", ge=24, le=1_000_000)
+    largest_period: Whole = quantity("1", "Longest period looked for, in mesh periods.", ge=1, le=64)
     recurrence_tolerance: Number = quantity(
         "1", "Distance of points that count as the same, over the half backlash.", ge=1e-12, le=1e-2
     )
