@@ -9,9 +9,11 @@ import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from pathlib import Path
 
 from gearwear.plumbing.closure import digest
 
+PROJECT = Path(__file__).resolve().parents[2]
 log = logging.getLogger("gearwear")
 
 _PR_SET_PDEATHSIG = 1
@@ -20,6 +22,8 @@ _PR_SET_PDEATHSIG = 1
 @contextmanager
 def logged(job, script: str) -> Iterator[None]:
     """Run the body of a stage job with its output in the job's log file.
+
+    An error that the project words itself is one sentence in the log; any other keeps its traceback.
 
     The job stops with its parent, so that no orphan goes on writing after Snakemake was killed, and
     refuses to start if its source changed after Snakemake read it, so that no result is mislabelled.
@@ -38,15 +42,31 @@ def logged(job, script: str) -> Iterator[None]:
         log.addHandler(handler)
         log.setLevel(logging.INFO)
         try:
+            log.info("%s: %s", job.rule, ", ".join(job.output))
             if job.params.code != digest(script):
-                raise RuntimeError("the source code changed while the workflow was running: start it again")
+                raise ValueError("the source code changed while the workflow was running: start it again")
             yield
+        except ValueError as error:
+            if not _worded(error):
+                log.exception("failed: %s", error)
+                raise
+            log.error("failed: %s", error)
+            raise SystemExit(1) from None
         except Exception as error:
             log.exception("failed: %s", error)
             raise
         finally:
             log.removeHandler(handler)
             sys.stdout, sys.stderr = keep
+
+
+def _worded(error: ValueError) -> bool:
+    """Return whether `error` was raised by a line of this project, for the reader, and not inside a library."""
+    trace = error.__traceback__
+    while trace.tb_next is not None:
+        trace = trace.tb_next
+    raised_in = Path(trace.tb_frame.f_code.co_filename)
+    return PROJECT in raised_in.parents or raised_in.parent.name == "scripts"
 
 
 def announce(sentence: str) -> None:
