@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import ctypes
+import linecache
 import logging
 import os
 import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from pathlib import Path
 
 from gearwear.plumbing.closure import digest
 
-PROJECT = Path(__file__).resolve().parents[2]
 log = logging.getLogger("gearwear")
 
 _PR_SET_PDEATHSIG = 1
@@ -61,12 +60,12 @@ def logged(job, script: str) -> Iterator[None]:
 
 
 def _worded(error: ValueError) -> bool:
-    """Return whether `error` was raised by a line of this project, for the reader, and not inside a library."""
+    """Return whether `error` comes from a `raise` of this project's code, and not from inside a library."""
     trace = error.__traceback__
     while trace.tb_next is not None:
         trace = trace.tb_next
-    raised_in = Path(trace.tb_frame.f_code.co_filename)
-    return PROJECT in raised_in.parents or raised_in.parent.name == "scripts"
+    file, line = trace.tb_frame.f_code.co_filename, trace.tb_lineno
+    return linecache.getline(file, line).lstrip().startswith("raise ") and "site-packages" not in file
 
 
 def announce(sentence: str) -> None:
