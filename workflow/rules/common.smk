@@ -26,7 +26,6 @@ wildcard_constraints:
     case="|".join(config["cases"]),
     q=r"\d{3}",
     sweep="mesh_frequency|ste|backlash",
-    number=r"\d{2}",
 
 
 scattergather:
@@ -37,9 +36,13 @@ def cfg(stage):
     """The settings a stage sees: one plain dict, a function of the wildcards."""
 
     def cut(wildcards):
-        return slice_of(
-            config, stage, wildcards.get("case", ""), wildcards.get("sweep", "")
-        )
+        case, sweep = wildcards.get("case", ""), wildcards.get("sweep", "")
+        try:
+            return slice_of(config, stage, case, sweep)
+        except KeyError as error:
+            raise WorkflowError(
+                f"config: {stage} finds no {error} for case {case}; see config/README.md"
+            ) from None
 
     return cut
 
