@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -33,6 +34,7 @@ _MADE_BY = {
     "transmission_error": ("share_load",),
     "backlash": ("open_backlash",),
     "response": ("solve_response",),
+    "parts": ("sweep_part",),
     "sweeps": ("join_sweep",),
     "portraits": ("trace_portraits",),
 }
@@ -56,7 +58,7 @@ def load(path: str | Path) -> xr.Dataset:
         raise ValueError(f"{path}: not a readable netCDF file ({error}); {remedy}") from None
     if dataset.attrs.get("source") != SOURCE or "lineage" not in dataset.attrs:
         raise ValueError(f"{path}: not a result of this workflow (no lineage); {remedy}")
-    expected = _MADE_BY.get(Path(path).stem) or _MADE_BY.get(Path(path).parent.name)
+    expected = _makers(Path(path))
     if expected and dataset.attrs["stage"] not in expected:
         raise ValueError(f"{path}: a result of {dataset.attrs['stage']}, not of {' or '.join(expected)}; {remedy}")
     for name, values in dataset.variables.items():
@@ -69,6 +71,16 @@ def load(path: str | Path) -> xr.Dataset:
         if not np.isfinite(values).all():
             raise ValueError(f"{path}: {name} holds values that are not finite; {remedy}")
     return dataset
+
+
+def _makers(path: Path) -> tuple[str, ...]:
+    """Return the rules that may have made a result, by its place: a swept quantity may be named like a stage."""
+    folder = path.parent.name
+    if path.parent.parent.name == "parts":
+        return _MADE_BY["parts"]
+    if folder in ("sweeps", "portraits") or re.fullmatch(r"q\d{3}", path.stem):
+        return _MADE_BY.get(folder, ())
+    return _MADE_BY.get(path.stem, ()) if path.stem in ("geometry", "temperature", "deformation") else ()
 
 
 def save(dataset: xr.Dataset, job) -> None:
