@@ -17,6 +17,8 @@ _FIRST_STEP = 0.1  # of the largest
 _LEAST_COSINE = 0.96  # between neighbouring tangents, 16 degrees
 _FARTHEST_FROM_GUESS = 0.5  # of the step
 _LARGEST_CHANGE = 0.4  # of the trace, over 1 + its modulus, in one step: two special points do not go unseen
+_TOWARDS_HALF = 0.35  # of the gap, towards an orbit of half the period: a branch point, singular itself
+_NEAR_HALF = 0.25  # of the largest step: a gap from which that orbit is found directly
 _FEW, _MANY = 5, 8  # Newton steps, the check included, after which the next step grows or shrinks
 
 
@@ -79,32 +81,32 @@ def walk(curve: Curve, start: Point, forward: np.ndarray, limits: Limits, new: b
     step = _FIRST_STEP * limits.largest_step
     while len(nodes) < limits.most_nodes:
         trial = curve.correct(here.place + step * tangent, tangent, slope)
-        reached = trial.point
-        if reached is not None and not 0.0 <= reached.place[2] <= 1.0:
-            trial = _at_bound(curve, here, reached, slope)
-            reached = trial.point
-        found, trouble = None, trial.trouble
+        if trial.point is not None and not 0.0 <= trial.point.place[2] <= 1.0:
+            trial = _at_bound(curve, here, trial.point, slope)
+        reached, trouble, found = trial.point, trial.trouble, None
         if reached is not None:
             new_slope, trouble = curve.slope(reached.place)
-            if not trouble:
-                new_tangent = curve.tangent(reached, new_slope, tangent)
-                trouble = _objection(here, reached, step, tangent, new_tangent, new=new and not nodes)
-            if not trouble:
-                end, last = _end(curve, start, here, reached, first=not nodes)
-                found = last and _specials(curve, here, last, skip=new and not nodes)
-                trouble = "" if found is not None else "a special point cannot be located"
+        if not trouble:
+            new_tangent = curve.tangent(reached, new_slope, tangent)
+            trouble = _objection(here, reached, step, tangent, new_tangent, new=new and not nodes)
+        if not trouble:
+            end, points = _end(curve, start, here, reached, limits, first=not nodes)
+            found = points and _specials(curve, here, reached, points[-1], skip=new and not nodes)
+            trouble = "" if found is not None else "a special point cannot be located"
         if trouble:
             step /= 2
             if step < limits.smallest_step:
                 return nodes, ends.stopped(here.orbit, trouble)
             continue
-        nodes += [*found, Node(last.orbit, NONE)]
+        nodes += [*found, *(Node(point.orbit, NONE) for point in points)]
         if end is not None:
             return nodes, end
         if trial.steps <= _FEW:
             step = min(1.5 * step, limits.largest_step)
         elif trial.steps >= _MANY:
             step /= 1.5
+        if ends.gap(reached.orbit) < ends.gap(here.orbit):
+            step = min(step, _TOWARDS_HALF * ends.gap(reached.orbit))
         here, slope, tangent = reached, new_slope, new_tangent
     return nodes, ends.at_limit(here.orbit, limits.most_nodes)
 
@@ -136,27 +138,34 @@ def _objection(here: Point, reached: Point, step: float, tangent, new_tangent, n
     return ""
 
 
-def _end(curve: Curve, start: Point, here: Point, reached: Point, first: bool) -> tuple[End | None, Point | None]:
-    """Return the end of the branch between two points, if there is one, and the last point of the branch so far.
+def _end(
+    curve: Curve, start: Point, here: Point, reached: Point, limits: Limits, first: bool
+) -> tuple[End | None, list[Point] | None]:
+    """Return the end of the branch at a step, if it ends there, and the points that the step adds.
 
-    The point is None if the end cannot be located.
+    There are None if the step passes an end that cannot be located.
     """
     if not first and ends.passes_half_period(here, reached):
         half = locate_half_period(curve, here)
-        return (None, None) if half is None else (ends.halved(half.orbit), half)
+        return (None, None) if half is None else (ends.halved(half.orbit), [half])
+    if ends.gap(here.orbit) > ends.gap(reached.orbit) < _NEAR_HALF * limits.largest_step:
+        half = locate_half_period(curve, reached)
+        if half is not None and np.linalg.norm(half.place - reached.place) <= ends.gap(reached.orbit):
+            return ends.halved(half.orbit), [reached, half]
     if not first and ends.passes_through(here, reached, start):
-        return ends.closed(start.orbit), start
+        return ends.closed(start.orbit), [start]
     if reached.place[2] in (0.0, 1.0):
-        return ends.at_bound(reached.orbit), reached
-    return None, reached
+        return ends.at_bound(reached.orbit), [reached]
+    return None, [reached]
 
 
-def _specials(curve: Curve, here: Point, last: Point, skip: bool) -> list[Node] | None:
-    """Return the special points between two points, in order; None if one cannot be located."""
+def _specials(curve: Curve, here: Point, reached: Point, last: Point, skip: bool) -> list[Node] | None:
+    """Return the special points of a step, in order and before the last point; None if one cannot be located."""
     found = []
-    for kind in [] if skip else crossings(here.orbit.matrix, last.orbit.matrix):
-        point = locate(curve, here, last, lambda orbit, kind=kind: margins(orbit.matrix)[kind - 1])
+    for kind in [] if skip else crossings(here.orbit.matrix, reached.orbit.matrix):
+        point = locate(curve, here, reached, lambda orbit, kind=kind: margins(orbit.matrix)[kind - 1])
         if point is None:
             return None
         found.append((np.linalg.norm(point.place - here.place), Node(point.orbit, kind)))
-    return [node for _, node in sorted(found, key=lambda one: one[0])]
+    whole = np.linalg.norm(last.place - here.place)
+    return [node for way, node in sorted(found, key=lambda one: one[0]) if way <= whole]
