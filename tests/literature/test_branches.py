@@ -8,9 +8,9 @@ import pytest
 from gearwear.dynamics.oscillator import Oscillator
 from gearwear.dynamics.periodic import Harmonics
 from gearwear.orbits.branches import Seed, explore
+from gearwear.orbits.codes import FOLD, PERIOD_DOUBLING
 from gearwear.orbits.continuation import Limits
 from gearwear.orbits.return_map import return_maps
-from gearwear.orbits.special_points import FOLD, PERIOD_DOUBLING
 
 
 def set_of_1991(frequency):

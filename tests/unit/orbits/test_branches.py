@@ -3,12 +3,11 @@
 import numpy as np
 import pytest
 
-from gearwear.orbits import ends
 from gearwear.orbits.branches import NO_PARENT, Seed, explore, follow, follow_doubled, holds
+from gearwear.orbits.codes import FOLD, HALVED, NONE, PERIOD_DOUBLING
 from gearwear.orbits.continuation import Limits
 from gearwear.orbits.newton import minimal_period, periodic_orbit
 from gearwear.orbits.return_map import return_maps
-from gearwear.orbits.special_points import FOLD, NONE, PERIOD_DOUBLING
 
 LIMITS = Limits(0.9, 1.3)
 
@@ -31,7 +30,7 @@ def first(family):
 def test_both_sides_of_a_doubling_are_the_same_orbits(family, first):
     one, other = (follow_doubled(family, doubling_of(first), LIMITS, side) for side in (1.0, -1.0))
     for branch in (one, other):
-        assert branch.period == 2 and branch.start.reason == ends.HALVED
+        assert branch.period == 2 and branch.start.reason == HALVED
         assert all(minimal_period(node.orbit) == 2 for node in branch.nodes[1:])
     node, twin = one.nodes[1].orbit, other.nodes[1].orbit
     shift = doubling_of(first).section[0]
@@ -88,7 +87,7 @@ def test_a_bubble_of_period_two_is_one_branch(iterated):
     edges = (0.5 - np.sqrt(0.15), 0.5 + np.sqrt(0.15))
     assert [n.orbit.value for n in branches[0].nodes if n.special] == pytest.approx(edges, abs=1e-8)
     assert [branches[1].start.orbit.value, branches[1].end.orbit.value] == pytest.approx(edges, abs=1e-8)
-    assert branches[1].start.reason == branches[1].end.reason == ends.HALVED
+    assert branches[1].start.reason == branches[1].end.reason == HALVED
     for node in branches[1].nodes[1:-1]:
         a, x = node.orbit.value, node.orbit.section[0, 0]
         assert x**2 == pytest.approx(a * (1 - a) - 0.1, abs=1e-8)

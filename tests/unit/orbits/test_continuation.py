@@ -5,12 +5,11 @@ import math
 import numpy as np
 import pytest
 
-from gearwear.orbits import ends
 from gearwear.orbits.branches import follow
+from gearwear.orbits.codes import CLOSED, FOLD, HALVED, NODE_LIMIT, NONE, PERIOD_DOUBLING, RANGE_END, STOPPED, TORUS
 from gearwear.orbits.continuation import Limits
 from gearwear.orbits.newton import Orbit, periodic_orbit
 from gearwear.orbits.return_map import return_maps
-from gearwear.orbits.special_points import FOLD, NONE, PERIOD_DOUBLING, TORUS
 
 
 def specials(branch):
@@ -31,7 +30,7 @@ def test_fixed_points_of_henon(henon):
         assert 1 - 0.7 * x - a * x**2 == pytest.approx(0, abs=1e-9)
     upper = [node.orbit.stable for node in branch.nodes if -0.1224 < node.orbit.value < 0.3674]
     assert True in upper and False in upper
-    assert branch.end.reason == ends.RANGE_END and branch.nodes[-1].orbit.value == 1.0
+    assert branch.end.reason == RANGE_END and branch.nodes[-1].orbit.value == 1.0
 
 
 def test_period_two_of_henon(henon):
@@ -39,8 +38,8 @@ def test_period_two_of_henon(henon):
     x = [(0.7 + sign * math.sqrt(4 * 0.6 - 3 * 0.49)) / 1.2 for sign in (1, -1)]
     branch = branch_from(henon, 0.6, (x[0], 0.3 * x[1]), 2, Limits(-1.0, 1.2))
     assert specials(branch) == [(PERIOD_DOUBLING, pytest.approx(0.9125, abs=1e-8))]
-    assert {branch.start.reason, branch.end.reason} == {ends.HALVED, ends.RANGE_END}
-    half = next(end for end in (branch.start, branch.end) if end.reason == ends.HALVED)
+    assert {branch.start.reason, branch.end.reason} == {HALVED, RANGE_END}
+    half = next(end for end in (branch.start, branch.end) if end.reason == HALVED)
     assert half.orbit.value == pytest.approx(0.3675, abs=1e-8)
     assert half.orbit.section[0] == pytest.approx(half.orbit.section[1], abs=1e-6)
 
@@ -89,7 +88,7 @@ def test_a_closed_branch_ends_where_it_began(iterated):
         lambda a, s: ((s[0] + 0.2 * (1 - s[0] ** 2 - a**2), 0.5 * s[1]), ((1 - 0.4 * s[0], 0.0), (0.0, 0.5)))
     )
     branch = branch_from(circle, 0.0, (1.0, 0.0), 1, Limits(-1.5, 1.5, largest_step=0.05))
-    assert branch.start.reason == branch.end.reason == ends.CLOSED
+    assert branch.start.reason == branch.end.reason == CLOSED
     assert [value for _, value in specials(branch)] == pytest.approx([1.0, -1.0], abs=1e-8)
     angles = np.unwrap([math.atan2(node.orbit.value, node.orbit.section[0, 0]) for node in branch.nodes])
     assert angles[-1] - angles[0] == pytest.approx(2 * math.pi, abs=1e-6)
@@ -102,7 +101,7 @@ def test_a_lost_motion_stops_with_the_last_good_point(iterated):
         return (0.5 * math.sqrt(2 - a) if a < 2 else math.nan, 0.5 * s[1]), ((0.0, 0.0), (0.0, 0.5))
 
     branch = branch_from(iterated(step), 1.0, (0.5, 0.0), 1, Limits(0.0, 3.0))
-    assert branch.end.reason == ends.STOPPED and branch.start.reason == ends.RANGE_END
+    assert branch.end.reason == STOPPED and branch.start.reason == RANGE_END
     assert branch.end.orbit is branch.nodes[-1].orbit
     assert 1.999 < branch.end.orbit.value < 2.0
     assert "the motion blows up or needs too many steps; last good point 1.99" in branch.end.words
@@ -112,14 +111,14 @@ def test_a_refused_value_stops_with_its_message(large_fluctuation):
     """The stiffness would fluctuate by more than its mean."""
     family = return_maps(lambda factor: large_fluctuation(0.4).with_clearance_scaled(1.0 - factor))
     branch = branch_from(family, 0.0, (1.2, 0.0), 1, Limits(-0.5, 1.5, largest_step=0.05))
-    assert branch.end.reason == ends.STOPPED
+    assert branch.end.reason == STOPPED
     assert branch.end.orbit.value == pytest.approx(1.0, abs=1e-3)
     assert "clearance: least value" in branch.end.words and "last good point" in branch.end.words
 
 
 def test_nodes_are_limited(henon):
     branch = branch_from(henon, 0.2, (0.9, 0.27), 1, Limits(-1.0, 1.0, most_nodes=5))
-    assert branch.start.reason == branch.end.reason == ends.NODE_LIMIT
+    assert branch.start.reason == branch.end.reason == NODE_LIMIT
     assert len(branch.nodes) <= 13 and "5 nodes are used up; last good point" in branch.end.words
 
 

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from gearwear.orbits.special_points import FOLD, PERIOD_DOUBLING, TORUS, crossings, margins
+from gearwear.orbits.codes import FOLD, PERIOD_DOUBLING, TORUS
+from gearwear.orbits.special_points import crossings, margins
 
 
 def rotation(modulus, angle):

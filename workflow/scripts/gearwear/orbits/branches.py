@@ -9,12 +9,12 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwear.orbits import ends
+from gearwear.orbits.codes import CLOSED, HALVED, NONE, PERIOD_DOUBLING
 from gearwear.orbits.continuation import Limits, Node, check_limits, walk
 from gearwear.orbits.curve import ALONG_PARAMETER, Curve
 from gearwear.orbits.ends import End
 from gearwear.orbits.newton import Orbit, minimal_period, periodic_orbit, twice
 from gearwear.orbits.return_map import Family
-from gearwear.orbits.special_points import NONE, PERIOD_DOUBLING
 
 NO_PARENT = -1
 _NEAR = 0.1  # farther from a chord than this no orbit is looked for
@@ -61,7 +61,7 @@ def follow(family: Family, orbit: Orbit, limits: Limits) -> Branch:
             sides.append(([], ends.at_bound(orbit)))
             continue
         sides.append(walk(curve, seed, side * ALONG_PARAMETER, limits))
-        if sides[0][1].reason == ends.CLOSED:
+        if sides[0][1].reason == CLOSED:
             nodes = (Node(orbit, NONE), *sides[0][0])
             return Branch(orbit.period, nodes, sides[0][1], sides[0][1], NO_PARENT)
     (after, end), (before, start) = sides
@@ -145,7 +145,7 @@ class _Forest:
                 if len(child.nodes) > 1:
                     self.add(child, index)
         for end in (branch.start, branch.end):
-            if end.reason == ends.HALVED:
+            if end.reason == HALVED:
                 self.plant(Seed(end.orbit.value, tuple(end.orbit.section[0]), branch.period // 2), index)
 
 
@@ -154,7 +154,7 @@ def _ends_at(branch: Branch, doubling: Orbit) -> bool:
     if branch.period != 2 * doubling.period:
         return False
     for end in (branch.start, branch.end):
-        if end.reason == ends.HALVED and abs(end.orbit.value - doubling.value) <= _SAME_VALUE:
+        if end.reason == HALVED and abs(end.orbit.value - doubling.value) <= _SAME_VALUE:
             apart = np.abs(doubling.section - end.orbit.section[0]).max(axis=1).min()
             if apart <= 100 * _SAME_STATE:
                 return True

@@ -7,11 +7,12 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwear.orbits import ends
+from gearwear.orbits.codes import NONE
 from gearwear.orbits.curve import ALONG_PARAMETER, Curve, Point
 from gearwear.orbits.ends import End
 from gearwear.orbits.locating import locate, locate_half_period
 from gearwear.orbits.newton import Orbit
-from gearwear.orbits.special_points import NONE, crossings, margins
+from gearwear.orbits.special_points import crossings, margins
 
 _FIRST_STEP = 0.1  # of the largest
 _LEAST_COSINE = 0.96  # between neighbouring tangents, 16 degrees

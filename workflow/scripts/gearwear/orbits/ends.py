@@ -7,22 +7,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwear.orbits.codes import CLOSED, HALVED, NODE_LIMIT, RANGE_END, STOPPED
 from gearwear.orbits.curve import Point
 from gearwear.orbits.newton import Orbit
 
-RANGE_END, CLOSED, HALVED, STOPPED, NODE_LIMIT = range(5)
-REASONS = {
-    "range_end": RANGE_END,
-    "closed": CLOSED,
-    "half_period": HALVED,
-    "stopped": STOPPED,
-    "node_limit": NODE_LIMIT,
-}
 _NEAR = 0.1  # of a step, from the chord of the step
 
 
 class End(NamedTuple):
-    """End of a branch: a value of REASONS, the last good orbit, and both in words."""
+    """End of a branch: a code, the last good orbit, and both in words."""
 
     reason: int
     orbit: Orbit

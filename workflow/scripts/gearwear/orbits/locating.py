@@ -7,9 +7,10 @@ from collections.abc import Callable
 import numpy as np
 from scipy.optimize import brentq, newton
 
+from gearwear.orbits.codes import PERIOD_DOUBLING
 from gearwear.orbits.curve import Curve, Point
 from gearwear.orbits.newton import Orbit, periodic_orbit, twice
-from gearwear.orbits.special_points import PERIOD_DOUBLING, margins
+from gearwear.orbits.special_points import margins
 
 _PARAMETER_ACCURACY = 1e-10
 _MOST_STEPS = 60

@@ -15,6 +15,7 @@ import numpy as np
 from gearwear.dynamics.motion import monodromy
 from gearwear.dynamics.oscillator import Oscillator
 
+COARSEST = 1e-10  # tolerance of the integrator; a coarser map is too rough for derivatives and Newton steps
 LOST = "the motion blows up or needs too many steps"
 
 
@@ -31,6 +32,12 @@ class Passage(NamedTuple):
 
 ReturnMap = Callable[[np.ndarray], Passage]
 Family = Callable[[float, int], ReturnMap]
+
+
+def torque_repeats(oscillator: Oscillator, period: int) -> bool:
+    """Whether the external torque repeats after this many mesh periods."""
+    turns = oscillator.torque.frequency_ratio * period
+    return not oscillator.has_second_frequency or float(turns).is_integer()
 
 
 def return_maps(oscillator_at: Callable[[float], Oscillator], tolerance: float = 1e-10) -> Family:
@@ -52,8 +59,7 @@ def return_maps(oscillator_at: Callable[[float], Oscillator], tolerance: float =
         if int(period) != period or period < 1:
             raise ValueError(f"period: {period} (mesh periods) must be a whole number, 1 or more")
         oscillator = oscillator_at(value)
-        turns = oscillator.torque.frequency_ratio * period
-        if oscillator.has_second_frequency and not float(turns).is_integer():
+        if not torque_repeats(oscillator, period):
             raise ValueError(
                 f"period: {period} (mesh periods) is no whole number of periods of the external torque, whose "
                 f"frequency is {oscillator.torque.frequency_ratio} times the mesh frequency; no orbit repeats after it"

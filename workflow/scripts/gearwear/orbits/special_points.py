@@ -13,8 +13,7 @@ from __future__ import annotations
 
 import numpy as np
 
-NONE, FOLD, PERIOD_DOUBLING, TORUS = range(4)
-KINDS = {"none": NONE, "fold": FOLD, "period_doubling": PERIOD_DOUBLING, "torus": TORUS}
+from gearwear.orbits.codes import FOLD, PERIOD_DOUBLING, TORUS
 
 
 def margins(matrix: np.ndarray) -> np.ndarray:
