@@ -146,7 +146,7 @@ def _end(
 
     There are None if the step passes an end that cannot be located.
     """
-    if not first and ends.passes_half_period(here, reached):
+    if ends.passes_half_period(here, reached):
         half = locate_half_period(curve, here)
         return (None, None) if half is None else (ends.halved(half.orbit), [half])
     if ends.gap(here.orbit) > ends.gap(reached.orbit) < _NEAR_HALF * limits.largest_step:

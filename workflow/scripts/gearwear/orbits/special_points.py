@@ -27,7 +27,7 @@ def crossings(before: np.ndarray, after: np.ndarray) -> list[int]:
 
     The product of two real multipliers may pass 1 (a neutral saddle): that is no torus.
     """
-    changed = np.sign(margins(before)) * np.sign(margins(after)) < 0
+    changed = (margins(before) < 0) != (margins(after) < 0)
     if max(_discriminant(before), _discriminant(after)) >= 0:
         changed[TORUS - 1] = False
     return [kind for kind, found in zip((FOLD, PERIOD_DOUBLING, TORUS), changed, strict=True) if found]
