@@ -70,6 +70,10 @@ def test_every_file_says_what_it_is(smoke_run):
             for sweep in ("mesh_frequency", "ste", "backlash")
         ],
         ("without/sweeps/mesh_frequency.nc", ["lyapunov_exponent", "contact_loss_share"]),
+        *[
+            (f"with/branches/{sweep}.nc", [sweep, "branch_displacement", "floquet_real", "stable", "special_point"])
+            for sweep in ("mesh_frequency", "ste", "backlash")
+        ],
     ],
 )
 def test_public_names(smoke_run, pattern, variables):

@@ -86,6 +86,7 @@ def results(tmp_path_factory):
         for sweep, settings in SWEPT.items():
             swept = np.linspace(settings["first"], settings["last"], settings["points"])
             save(f"{case}_{sweep}_sweep", motion(CLASSES), {sweep: ("point", swept)})
+            save(f"{case}_{sweep}_branches", branches(), {sweep: ("node", swept[[0, 3, 5, 5, 8]])})
             time = np.linspace(0, 2 * np.pi, 65)
             orbit = {
                 "orbit_displacement": (("point", "time"), np.tile(np.cos(time), (3, 1))),
@@ -93,6 +94,18 @@ def results(tmp_path_factory):
             }
             save(f"{case}_{sweep}_portraits", motion([1, 0, 101]) | orbit, {sweep: ("point", swept[[1, 3, 7]])})
     return folder
+
+
+def branches():
+    """Return a branch of period 1 that doubles, and the branch of period 2 from there."""
+    upper, lower = [0.0, 0.3, 0.5, 0.5, 0.9], [np.nan, np.nan, np.nan, 0.5, -0.9]
+    return {
+        "branch_index": ("node", [0, 0, 0, 1, 1]),
+        "branch_displacement": (("node", "iterate"), np.transpose([upper, lower])),
+        "stable": ("node", [1, 1, 0, 0, 0]),
+        "special_point": ("node", [0, 0, 2, 0, 0]),
+        "branch_period": ("branch", [1, 2]),
+    }
 
 
 def motion(classes):
@@ -135,9 +148,12 @@ def inputs_of(results, number):
     cfg = {"sweep": sweep, "swept": SWEPT[sweep]}
     if number in (12, 15, 17):
         states = [state for state in STATES if state["case"] in SWEPT[sweep]["cases"]]
-        files = [str(results / f"{state['case']}_{sweep}_sweep.nc") for state in states]
+        files = {
+            kind: [str(results / f"{state['case']}_{sweep}_{kind}.nc") for state in states]
+            for kind in ("sweep", "branches")
+        }
         claims = str(ROOT / "config" / "paper_claims.yaml")
-        return "plot_bifurcation", {"sweep": files, "claims": claims}, cfg | {"states": states}
+        return "plot_bifurcation", files | {"claims": claims}, cfg | {"states": states}
     state = STATES[0 if number == 13 else 1]
     portraits = str(results / f"{state['case']}_{sweep}_portraits.nc")
     return "plot_portraits", {"portraits": portraits}, cfg | {"state": state}
@@ -167,10 +183,17 @@ WORDS = {
     9: ["Statictransmissionerror(µm)", "onepairincontact"],
     10: ["growthofthefourflanks", "elasticdeflection", "wearofbothflanks", "16.0", "12.0", "0.0"],
     11: ["Halfbacklash(µm)", "initial,65µm"],
-    12: ["Meshfrequencyovernaturalfrequency", "CH,chaotic", "?,notdecided", "QP,quasi-periodic", "(b)Case“with”"],
+    12: [
+        "Meshfrequencyovernaturalfrequency",
+        "CH,chaotic",
+        "?,notdecided",
+        "QP,quasi-periodic",
+        "(b)Case“with”",
+        "unstableorbits",
+    ],
     13: ["(a)0.3", "P1,−0.080", "?,noexponent", "CH,+0.050", "Displacementoverinitialhalfbacklash", "Case“without”"],
     14: ["(a)0.3", "sectionatpairentry"],
-    15: ["Meanstatictransmissionerror", "thisrun", "paper", "exponent"],
+    15: ["Meanstatictransmissionerror", "thisrun", "paper", "exponent", "perioddoubling"],
     16: ["meshfrequency/naturalfrequency=1"],
     17: ["Meanbacklashoveritsinitialvalue", "swepthalfbacklash"],
     18: ["Displacementoverswepthalfbacklash"],

@@ -16,6 +16,7 @@ RULE_OF_FOLDER = {
     "response": "solve_response",
     "parts": "sweep_part",
     "sweeps": "join_sweep",
+    "branches": "continue_orbits",
     "portraits": "trace_portraits",
     "figures": "figures",
 }
@@ -32,6 +33,7 @@ CHANGED_VALUES = {
     "dynamics.damping_ratio": 0.084,
     "settling.sampled_periods": 82,
     "sweeps.ste.points": 13,
+    "branches.largest_period": 3,
     "portraits.backlash.with": [0.36, 0.80],
     "figures.diagonal": ["without", "n1400_t080", "with"],
 }

@@ -251,6 +251,10 @@ rule plot_frequency_sweep:
             f"results/{case}/sweeps/mesh_frequency.nc"
             for case in config["sweeps"]["mesh_frequency"]["cases"]
         ],
+        branches=[
+            f"results/{case}/branches/mesh_frequency.nc"
+            for case in config["sweeps"]["mesh_frequency"]["cases"]
+        ],
         claims=CLAIMS,
         style=STYLE,
     output:
@@ -345,6 +349,10 @@ rule plot_ste_sweep:
             f"results/{case}/sweeps/ste.nc"
             for case in config["sweeps"]["ste"]["cases"]
         ],
+        branches=[
+            f"results/{case}/branches/ste.nc"
+            for case in config["sweeps"]["ste"]["cases"]
+        ],
         claims=CLAIMS,
         style=STYLE,
     output:
@@ -401,6 +409,10 @@ rule plot_backlash_sweep:
     input:
         sweep=[
             f"results/{case}/sweeps/backlash.nc"
+            for case in config["sweeps"]["backlash"]["cases"]
+        ],
+        branches=[
+            f"results/{case}/branches/backlash.nc"
             for case in config["sweeps"]["backlash"]["cases"]
         ],
         claims=CLAIMS,

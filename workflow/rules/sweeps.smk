@@ -39,6 +39,30 @@ rule join_sweep:
         "../scripts/join_sweep.py"
 
 
+rule continue_orbits:
+    input:
+        geometry="results/geometry.nc",
+        mesh_stiffness=final("mesh_stiffness"),
+        transmission_error=final("transmission_error"),
+        backlash=final("backlash"),
+        reference_stiffness=reference("mesh_stiffness"),
+        reference_error=reference("transmission_error"),
+        sweep="results/{case}/sweeps/{sweep}.nc",
+    output:
+        "results/{case}/branches/{sweep}.nc",
+    log:
+        "results/logs/{case}/continue_orbits/{sweep}.log",
+    benchmark:
+        "results/benchmarks/{case}/continue_orbits/{sweep}.tsv"
+    params:
+        cfg=cfg("branches"),
+        code=code("continue_orbits.py"),
+    message:
+        "Case {wildcards.case}: following the periodic orbits along {wildcards.sweep}."
+    script:
+        "../scripts/continue_orbits.py"
+
+
 rule trace_portraits:
     input:
         geometry="results/geometry.nc",

@@ -1,4 +1,4 @@
-"""Figures 12, 15, 17: sections, motion classes and largest Lyapunov exponents along a sweep."""
+"""Figures 12, 15, 17: sections, periodic orbits, motion classes and largest Lyapunov exponents along a sweep."""
 
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -26,9 +26,10 @@ def main(job):
     cfg = job.params.cfg
     claims = yaml.safe_load(Path(job.input.claims).read_text())["claims"]
     sweeps = [store.load(path) for path in job.input.sweep]
+    orbits = [store.load(path) for path in job.input.branches]
     paper = [list(windows(claims, cfg["sweep"], state["case"])) for state in cfg["states"]]
     with sheet(job, DOUBLE, bifurcation.height(len(sweeps)), layout=None) as figure:
-        bifurcation.draw(figure, sweeps, paper, cfg)
+        bifurcation.draw(figure, sweeps, orbits, paper, cfg)
 
 
 if __name__ == "__main__":

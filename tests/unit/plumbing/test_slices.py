@@ -10,7 +10,7 @@ import yaml
 from gearwear.plumbing.slices import STAGES, slice_of
 
 ROOT = Path(__file__).resolve().parents[3]
-SWEPT = ("sweep", "portraits")
+SWEPT = ("sweep", "branches", "portraits")
 
 
 @pytest.fixture
@@ -68,7 +68,7 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("elasticity.law", {"temperature", "advance_wear", "mesh_stiffness"}),
         (
             "operation.pinion_torque",
-            {"temperature", "transmission_error", "advance_wear", "response", "sweep", "portraits"},
+            {"temperature", "transmission_error", "advance_wear", "response", "sweep", "branches", "portraits"},
         ),
         ("operation.pinion_speed", {"temperature", "advance_wear", "response"}),
         ("lubricant.composite_roughness", {"temperature", "advance_wear"}),
@@ -79,18 +79,19 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("transmission_error.mode", {"transmission_error"}),
         ("backlash.half_backlash", {"backlash"}),
         ("wear.cycles_per_update", {"advance_wear"}),
-        ("dynamics.damping_ratio", {"response", "sweep", "portraits"}),
+        ("dynamics.damping_ratio", {"response", "sweep", "branches", "portraits"}),
         ("settling.largest_period", {"response", "sweep", "portraits"}),
         ("cases.with.bulk_temperature", {"temperature", "deformation", "advance_wear", "mesh_stiffness"}),
         ("cases.with.flash", {"temperature"}),
         ("cases.with.running_cycles", set()),
         ("cases.without.bulk_temperature", set()),
         ("sweeps.backlash.points", {"sweep"}),
-        ("sweeps.backlash.first", {"sweep"}),
-        ("sweeps.backlash.mesh_frequency", {"sweep", "portraits"}),
+        ("sweeps.backlash.first", {"sweep", "branches"}),
+        ("sweeps.backlash.mesh_frequency", {"sweep", "branches", "portraits"}),
         ("sweeps.ste.points", set()),
         ("sweeps.backlash.cases", set()),
         ("sweeps.start", {"sweep"}),
+        ("branches.largest_period", {"branches"}),
         ("portraits.backlash.with", {"portraits"}),
         ("portraits.ste.with", set()),
         ("portraits.mesh_frequency.without", set()),

@@ -1,4 +1,4 @@
-"""Bifurcation diagrams, one below the other: classes, section and exponent along one sweep."""
+"""Bifurcation diagrams, one below the other: classes, section, periodic orbits and exponent along one sweep."""
 
 from __future__ import annotations
 
@@ -10,11 +10,12 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from gearwear.drawing import motion_classes, states, swept
+from gearwear.drawing import branches, motion_classes, states, swept
 from gearwear.drawing.sheet import DOUBLE, letter
 
 # Heights and margins, mm.
-_LEFT, _RIGHT, _TOP, _BOTTOM = 18.0, 3.0, 7.0, 10.0
+_LEFT, _RIGHT, _TOP, _BOTTOM = 18.0, 3.0, 11.0, 10.0
+_ROW = 4.0  # of the legend
 _TITLE, _STRIP, _SECTION, _EXPONENT, _GAP, _BETWEEN = 5.0, 7.0, 42.0, 14.0, 1.2, 5.0
 _DIAGRAM = _TITLE + _STRIP + _GAP + _SECTION + _GAP + _EXPONENT
 _LABEL = -9.5  # mm, right edge of the ordinate's label from the axis
@@ -28,18 +29,28 @@ def height(count: int) -> float:
     return _TOP + _BOTTOM + count * _DIAGRAM + (count - 1) * _BETWEEN
 
 
-def draw(figure: Figure, sweeps: Sequence[xr.Dataset], paper: Sequence[Windows], cfg: dict[str, Any]) -> None:
+def draw(
+    figure: Figure,
+    sweeps: Sequence[xr.Dataset],
+    orbits: Sequence[xr.Dataset],
+    paper: Sequence[Windows],
+    cfg: dict[str, Any],
+) -> None:
     """Draw one diagram for every sweep, from top to bottom.
 
     Parameters
     ----------
     sweeps : datasets of the sweep of `cfg["sweep"]`.
+    orbits : branches of periodic orbits, for every sweep.
     paper : (low, high, class) of the windows of motion the paper names, for every sweep.
     cfg : `sweep`, its settings `swept`, and the `states` in the order of `sweeps`.
     """
     names: set[str] = set()
+    special: set[int] = set()
     total = height(len(sweeps))
-    for position, (dataset, windows, state) in enumerate(zip(sweeps, paper, cfg["states"], strict=True)):
+    for position, (dataset, followed, windows, state) in enumerate(
+        zip(sweeps, orbits, paper, cfg["states"], strict=True)
+    ):
         top = total - _TOP - position * (_DIAGRAM + _BETWEEN) - _TITLE
         strip = _place(figure, top - _STRIP, _STRIP, total)
         section = _place(figure, top - _STRIP - _GAP - _SECTION, _SECTION, total)
@@ -52,6 +63,8 @@ def draw(figure: Figure, sweeps: Sequence[xr.Dataset], paper: Sequence[Windows],
         names |= {*found, *(window[2] for window in windows)}
         _draw_classes(strip, motion_classes.runs(values, found), windows)
         _draw_section(section, values, dataset)
+        branches.draw(section, cfg["sweep"], followed)
+        special |= {int(code) for code in followed["special_point"].values}
         _draw_exponent(exponent, values, dataset["lyapunov_exponent"].values)
         fixed = swept.condition(cfg["sweep"], cfg["swept"])
         title = ", ".join(filter(None, [states.case(state), fixed]))
@@ -64,6 +77,10 @@ def draw(figure: Figure, sweeps: Sequence[xr.Dataset], paper: Sequence[Windows],
     exponent.set_xlabel(swept.LABELS[cfg["sweep"]])
     keys = motion_classes.keys(names)
     figure.legend(handles=keys, loc="upper center", ncols=len(keys), handlelength=1.2, columnspacing=1.2)
+    keys = branches.keys(special, any(followed.sizes["node"] for followed in orbits))
+    if keys:
+        place = (0.5, 1 - _ROW / total)
+        figure.legend(handles=keys, loc="upper center", bbox_to_anchor=place, ncols=len(keys), columnspacing=1.4)
 
 
 def _place(figure: Figure, bottom: float, high: float, total: float) -> Axes:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from gearwear.dynamics import motion_class
+from gearwear.orbits.codes import BRANCH_ENDS, SPECIAL_POINTS, STABILITY
 
 MOTION_CLASSES = dict(zip(motion_class.FLAG_MEANINGS, motion_class.FLAG_VALUES, strict=True))
 REASONS = dict(zip(motion_class.REASON_MEANINGS, motion_class.REASON_VALUES, strict=True))
@@ -23,6 +24,7 @@ class Field(NamedTuple):
 _SCALAR, _GEAR = ((),), (("gear",),)
 _PATH, _BOTH = (("path",),), (("gear", "path"),)
 _PHASE, _POINT = (("mesh_phase",),), (("point",), ())
+_NODE, _BRANCH = (("node",),), (("branch",),)
 
 
 def field_of(name: str, dims: tuple[str, ...]) -> Field:
@@ -142,9 +144,9 @@ FIELDS: dict[str, Field] = {
         "1", "mean transmission error over that of the reference case, if this has one", _SCALAR, None, True
     ),
     # sweeps and portraits
-    "mesh_frequency": Field("1", "mesh frequency over natural frequency", _POINT),
-    "ste": Field("1", "mean static transmission error over that of the reference case", _POINT),
-    "swept backlash": Field("1", "mean half clearance over its initial value", _POINT),
+    "mesh_frequency": Field("1", "mesh frequency over natural frequency", _POINT + _NODE),
+    "ste": Field("1", "mean static transmission error over that of the reference case", _POINT + _NODE),
+    "swept backlash": Field("1", "mean half clearance over its initial value", _POINT + _NODE),
     "section_displacement": Field(
         "1", "displacement at mesh phase 0 over initial half backlash", (("point", "sample"),), None, True
     ),
@@ -175,4 +177,22 @@ FIELDS: dict[str, Field] = {
         "1", "velocity along the orbit in units of initial half backlash", (("point", "time"),), None, True
     ),
     "orbit_period": Field("1", "mesh periods since the orbit began", (("time",),)),
+    # branches of periodic orbits
+    "branch_index": Field("", "index of the branch that the orbit is on", _NODE),
+    "branch_displacement": Field(
+        "1", "displacement at mesh phase 0 over initial half backlash", (("node", "iterate"),), None, True
+    ),
+    "branch_velocity": Field(
+        "1", "velocity at mesh phase 0 in units of initial half backlash", (("node", "iterate"),), None, True
+    ),
+    "floquet_real": Field("1", "real part of the Floquet multipliers over the period", (("node", "multiplier"),)),
+    "floquet_imag": Field("1", "imaginary part of the Floquet multipliers", (("node", "multiplier"),)),
+    "stable": Field("", "whether all Floquet multipliers are inside the unit circle", _NODE, STABILITY),
+    "special_point": Field("", "kind of the bifurcation at this orbit", _NODE, SPECIAL_POINTS),
+    "branch_period": Field("1", "mesh periods after which the orbits of the branch repeat", _BRANCH),
+    "branch_parent": Field("", "index of the branch that it was found on, -1 if in a sweep", _BRANCH),
+    "branch_start": Field("", "why the branch goes no further before its first orbit", _BRANCH, BRANCH_ENDS),
+    "branch_end": Field("", "why the branch goes no further after its last orbit", _BRANCH, BRANCH_ENDS),
+    "branch_start_remark": Field("", "the same in words, with the last good point", _BRANCH),
+    "branch_end_remark": Field("", "the same in words, with the last good point", _BRANCH),
 }

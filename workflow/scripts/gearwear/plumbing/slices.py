@@ -49,11 +49,16 @@ STAGES: dict[str, tuple[str, ...]] = {
     "backlash": ("backlash",),
     "response": (*_EXCITED, "operation.pinion_speed"),
     "sweep": (*_EXCITED, "sweeps.start", "sweeps.{sweep}"),
+    "branches": ("dynamics", "operation.pinion_torque", "sweeps.{sweep}", "branches"),
     "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
 }
 
 # Keys that a stage passes over: a sweep's list of cases decides which files are made, not what is in them.
-_PASSED_OVER = {"sweep": ("cases",), "portraits": ("cases", "first", "last", "points")}
+_PASSED_OVER = {
+    "sweep": ("cases",),
+    "branches": ("cases", "points"),
+    "portraits": ("cases", "first", "last", "points"),
+}
 
 
 def slice_of(config: dict, stage: str, case: str = "", sweep: str = "") -> dict[str, Any]:

@@ -203,6 +203,19 @@ class Sweeps(Section):
     backlash: BacklashSweep
 
 
+class Branches(Section):
+    """Continuation of the periodic orbits along the sweeps, unstable ones included."""
+
+    largest_period: Whole = quantity("1", "Longest period followed, in mesh periods.", ge=1, le=64)
+    largest_step: Number = quantity(
+        "1",
+        "Largest step along a branch; state over the half backlash, swept quantity over its range.",
+        ge=1e-5,
+        le=1.0,
+    )
+    most_nodes: Whole = quantity("1", "Orbits after which a branch is given up.", ge=10, le=1_000_000)
+
+
 class Portraits(Section):
     """Swept values whose phase portraits are drawn, by case."""
 
@@ -236,5 +249,6 @@ class Configuration(Section):
     settling: Settling
     cases: dict[CaseName, Case]
     sweeps: Sweeps
+    branches: Branches
     portraits: Portraits
     figures: Figures

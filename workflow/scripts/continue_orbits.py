@@ -1,0 +1,42 @@
+"""Branches of periodic orbits, stable and unstable, over the range of a sweep."""
+
+from typing import TYPE_CHECKING
+
+import xarray as xr
+
+from gearwear.dynamics.excitation import excitation, swept_oscillator
+from gearwear.orbits.branches import explore
+from gearwear.orbits.continuation import Limits
+from gearwear.orbits.record import columns
+from gearwear.orbits.return_map import COARSEST, return_maps, torque_repeats
+from gearwear.orbits.seeds import seeds
+from gearwear.plumbing import stage, store
+
+if TYPE_CHECKING:
+    from snakemake.iocontainers import snakemake
+
+
+def main(job):
+    cfg, geometry, sweep = job.params.cfg, store.load(job.input.geometry), job.wildcards.sweep
+    dynamics, swept, branching = cfg["dynamics"], cfg["sweeps"][sweep], cfg["branches"]
+    state, reference = store.mesh_states(job.input)
+    source = excitation(geometry, state, reference, cfg["operation"]["pinion_torque"], dynamics)
+    settled = store.load(job.input.sweep).sortby(sweep)
+
+    def oscillator_at(value):
+        return swept_oscillator(source, sweep, value, dynamics, swept)
+
+    names = (sweep, "motion_class", "transient_periods", "section_displacement", "section_velocity")
+    found = seeds(*(settled[name].values for name in names), branching["largest_period"])
+    found = [seed for seed in found if torque_repeats(oscillator_at(seed.value), seed.period)]
+    limits = Limits(swept["first"], swept["last"], branching["largest_step"], most_nodes=branching["most_nodes"])
+    maps = return_maps(oscillator_at, min(dynamics["tolerance"], COARSEST))
+    branches = explore(maps, found, limits, branching["largest_period"])
+    for branch in branches:
+        stage.log.info("period %d: from %s to %s", branch.period, branch.start.words, branch.end.words)
+    store.save(xr.Dataset(columns(branches, branching["largest_period"], sweep)).set_coords(sweep), job)
+
+
+if __name__ == "__main__":
+    with stage.logged(snakemake, __file__):
+        main(snakemake)

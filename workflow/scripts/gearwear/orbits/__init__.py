@@ -1,0 +1,1 @@
+"""Periodic orbits of the oscillator, stable or not: their multipliers, branches and bifurcations."""

@@ -1,0 +1,32 @@
+"""Seeds of branches among the settled motions of a sweep."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gearwear.dynamics.motion_class import LARGEST_PERIOD
+from gearwear.orbits.branches import Seed
+
+
+def seeds(values, motion_class, transient_periods, displacement, velocity, largest_period: int) -> list[Seed]:
+    """Return a seed at the first point of a sweep and at every point of another class than its neighbour before.
+
+    Only periodic points count. The state is one at a whole number of periods of the orbit after the start, so that
+    an external torque of another frequency has its phase of mesh period 0 there.
+
+    Parameters
+    ----------
+    values : (points,) of the swept quantity, ascending.
+    motion_class : (points,) codes; that of a periodic motion is its period.
+    transient_periods : (points,) mesh periods before the section.
+    displacement, velocity : (points, samples) the section.
+    largest_period : longest period taken.
+    """
+    found = []
+    for i, period in enumerate(np.asarray(motion_class, dtype=int)):
+        if not 1 <= period <= min(largest_period, LARGEST_PERIOD) or (i and period == motion_class[i - 1]):
+            continue
+        over = (int(transient_periods[i]) + np.shape(displacement)[1]) % period
+        state = (float(displacement[i][-1 - over]), float(velocity[i][-1 - over]))
+        found.append(Seed(float(values[i]), state, int(period)))
+    return found
