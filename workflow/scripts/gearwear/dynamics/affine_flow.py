@@ -11,6 +11,7 @@ import numpy as np
 from gearwear.dynamics.affine_table import (
     CLEARANCE_HIGH,
     CLEARANCE_LOW,
+    COMMON,
     CONTACT,
     FREE,
     FRESH,
@@ -28,13 +29,14 @@ from gearwear.dynamics.compiled import njit
 
 COMPLETED, BLOW_UP, TOO_MANY_STEPS = 0, 1, 2
 LARGEST_DISPLACEMENT = 1e6
+THIRD = 1.0 / 3.0
 
 
 @njit
 def stays(side, x, v, x1, v1, half, low, high, slack_x, slack_v, slack_1):
     """Whether a cell is passed on one branch for sure: the hull of cell_exit lies between the corners or beyond."""
     q1, q3 = x + 0.5 * half * v, x1 - 0.5 * half * v1
-    q2 = 0.5 * (x + x1) + half / 3.0 * (v - v1)
+    q2 = 0.5 * (x + x1) + THIRD * half * (v - v1)
     slack = slack_x * abs(x) + slack_v * abs(v) + slack_1
     free = side == 0.0
     gap1 = low - abs(q1) if free else side * q1 - high
@@ -91,40 +93,40 @@ def run(rows, slack, state, direction, periods, detail, stops):
             while noted < stops.size and stops[noted] == r:
                 visits[i, noted, 0], visits[i, noted, 1] = x, v
                 noted += 1
-            if rows[r, FRESH] != 0.0:
-                entered = side_at_start(rows, r, x, v)
+            common = rows[r, COMMON]
+            if common[FRESH] != 0.0:
+                entered = side_at_start(common, x, v)
                 if i + r > 0 and entered != 0.0 and entered != side:
                     record[0, IMPACTS] += 1.0
                 side = entered
-            place = CONTACT if side != 0.0 else FREE
-            x1, v1 = affine(rows, r, place + STEP, side, x, v)
+            branch = rows[r, CONTACT if side != 0.0 else FREE]
+            x1, v1 = affine(branch, STEP, side, x, v)
             if stays(
                 side,
                 x,
                 v,
                 x1,
                 v1,
-                rows[r, HALF_WIDTH],
-                rows[r, CLEARANCE_LOW],
-                rows[r, CLEARANCE_HIGH],
+                common[HALF_WIDTH],
+                common[CLEARANCE_LOW],
+                common[CLEARANCE_HIGH],
                 slack[0],
                 slack[1],
                 slack[2],
             ):
-                at = place + STEP
-                m0, m1, m2, m3 = rows[r, at], rows[r, at + 1], rows[r, at + 2], rows[r, at + 3]
+                m0, m1, m2, m3 = branch[STEP], branch[STEP + 1], branch[STEP + 2], branch[STEP + 3]
                 if detail == RECORDS:
                     work[READY] = 0.0
-                    xm, vm = affine(rows, r, place + INTO, side, x, v)
-                    note_piece(rows, r, place, (side, xm, vm), -1.0, x, v, 1.0, x1, v1, work, record, 0)
+                    xm, vm = affine(branch, INTO, side, x, v)
+                    note_piece(common, branch, (side, xm, vm), -1.0, x, v, 1.0, x1, v1, work, record, 0)
             else:
-                x1, v1, side, completed = cross_cell(rows, r, side, x, v, detail, work, record, 0)
+                x1, v1, side, completed = cross_cell(rows[r], side, x, v, detail, work, record, 0)
                 if not completed:
                     status = BLOW_UP if not abs(x1) < LARGEST_DISPLACEMENT else TOO_MANY_STEPS
                     return states, maps, growth, records, visits, status
                 m0, m1, m2, m3 = work[MAP], work[MAP + 1], work[MAP + 2], work[MAP + 3]
             a, b, c, d = m0 * a + m1 * c, m0 * b + m1 * d, m2 * a + m3 * c, m2 * b + m3 * d
-            x, v = x1 + rows[r, KICK_X], v1 + rows[r, KICK_V]
+            x, v = x1 + common[KICK_X], v1 + common[KICK_V]
             record[0, LOWEST], record[0, HIGHEST] = min(record[0, LOWEST], x), max(record[0, HIGHEST], x)
         if not (abs(x) < LARGEST_DISPLACEMENT and abs(v) < LARGEST_DISPLACEMENT):
             return states, maps, growth, records, visits, BLOW_UP

@@ -30,19 +30,20 @@ LONGEST_CELL = 0.5
 LARGEST_TURN = 1.4  # of cell length times the fastest rate: degree 14 then leaves 1e-15
 MOST_CELLS = 16384
 
-# Columns of a row, one row a cell. END_ columns: b and db/dt at the start and at the end of the cell.
+# A cell has three rows: free flight, contact and what both share. Columns of the shared row; from END_CLEARANCE on
+# four: b and db/dt at the start and at the end of the cell.
+FREE, CONTACT, COMMON, WIDTH = 0, 1, 2, 96
 HALF_WIDTH, RATE, KICK_X, KICK_V, CLEARANCE_LOW, CLEARANCE_HIGH, END_CLEARANCE = 0, 1, 2, 3, 4, 5, 6
 CLEARANCE_BEND, STIFFNESS_HIGH, FORCE_START, FRESH, FRICTION, START = 10, 11, 12, 13, 14, 15
-CONTACT, FREE = 16, 112
+STIFFNESS, CLEARANCE = 16, 32
+# Columns of the row of a branch: its three maps, the bounds of its fourth derivative, its series.
 STEP, INTO, OUT, BEND, WAVES = 0, 8, 16, 24, 32
-STIFFNESS, CLEARANCE = 208, 224
-WIDTH = 240
 
 
 class AffineTable(NamedTuple):
     """Cells of one forcing period.
 
-    rows : (cells, WIDTH)
+    rows : (cells, 3, WIDTH)
     slack : (3,) bound of the quartic remainder over any cell, over |x|, |v| and 1 at its start
     """
 
@@ -67,7 +68,7 @@ def affine_table(oscillator: Oscillator, phases: tuple[float, ...] = ()) -> Affi
     coefficients = arrays(oscillator)
     if phases:
         coefficients = coefficients._replace(cells=cut_cells(coefficients.cells, phases, oscillator.period))
-    rows = np.zeros((cell_counts(*coefficients).sum(), WIDTH))
+    rows = np.zeros((cell_counts(*coefficients).sum(), 3, WIDTH))
     slack = np.zeros(3)
     fill_table(*coefficients, rows, slack)
     return AffineTable(rows, slack)
@@ -119,8 +120,8 @@ def fill_table(constants, harmonics, cells, rows, slack):
     for n in range(cells.shape[0]):
         width = (cells[n, 1] - cells[n, 0]) / counts[n]
         for part in range(counts[n]):
-            row = rows[r]
-            row[:] = 0.0
+            rows[r] = 0.0
+            row = rows[r, COMMON]
             row[START] = cells[n, 0] + part * width
             middle = cells[n, 0] + (part + 0.5) * width
             since = (middle - cells[n, 0]) * period
@@ -128,7 +129,7 @@ def fill_table(constants, harmonics, cells, rows, slack):
             row[HALF_WIDTH], row[RATE], row[FRICTION] = half, 1.0 / half, constants[1]
             if part == counts[n] - 1:
                 row[KICK_X], row[KICK_V] = cells[n, 4], cells[n, 5]
-            kicked = rows[r - 1, KICK_X] != 0.0 or rows[r - 1, KICK_V] != 0.0
+            kicked = rows[r - 1, COMMON, KICK_X] != 0.0 or rows[r - 1, COMMON, KICK_V] != 0.0
             row[FRESH] = 1.0 if r == 0 or kicked else 0.0
             force[:] = 0.0
             row[STIFFNESS], row[STIFFNESS + 1] = cells[n, 2] + cells[n, 3] * since, cells[n, 3] * half
@@ -136,11 +137,11 @@ def fill_table(constants, harmonics, cells, rows, slack):
             load_series(constants, harmonics, middle, half, row, force)
             finish_clearance(row)
             product_series(row[STIFFNESS:], row[CLEARANCE:], shift)
-            for kind in range(2):
-                place = CONTACT if kind == 1 else FREE
-                fundamental_series(waves, 0, kind, half, constants[1], row[STIFFNESS:], force, shift)
-                row[place + WAVES : place + WAVES + 4 * TERMS] = waves
-                finish_maps(row, place, slack)
+            for place in (FREE, CONTACT):
+                branch = rows[r, place]
+                fundamental_series(waves, place == CONTACT, half, constants[1], row[STIFFNESS:], force, shift)
+                branch[WAVES:] = waves
+                finish_maps(branch, row[RATE], row[CLEARANCE_BEND], slack)
             row[FORCE_START] = value_at_end(force, 0, 1, -1.0)[0]
             r += 1
 
@@ -183,38 +184,36 @@ def finish_clearance(row):
 
 
 @njit
-def finish_maps(row, place, slack):
+def finish_maps(row, rate, clearance_bend, slack):
     """The three affine maps of a branch from its series, and the bounds of its fourth derivative.
 
     A map takes (x, v) to (m0 x + m1 v + m4 + side m6, m2 x + m3 v + m5 + side m7).
     """
-    rate, waves = row[RATE], place + WAVES
-    p0, p1 = value_at_end(row, waves + P, 4, -1.0)
-    q0, q1 = value_at_end(row, waves + Q, 4, -1.0)
-    f0, f1 = value_at_end(row, waves + R_FORCE, 4, -1.0)
-    b0, b1 = value_at_end(row, waves + R_CLEARANCE, 4, -1.0)
+    p0, p1 = value_at_end(row, WAVES + P, 4, -1.0)
+    q0, q1 = value_at_end(row, WAVES + Q, 4, -1.0)
+    f0, f1 = value_at_end(row, WAVES + R_FORCE, 4, -1.0)
+    b0, b1 = value_at_end(row, WAVES + R_CLEARANCE, 4, -1.0)
     p1, q1, f1, b1 = p1 * rate, q1 * rate, f1 * rate, b1 * rate
-    share = 1.0 / (p0 * q1 - p1 * q0)
-    into = place + INTO
-    row[into], row[into + 1], row[into + 2], row[into + 3] = q1 * share, -q0 * share, -p1 * share, p0 * share
-    row[into + 4], row[into + 5] = (q0 * f1 - q1 * f0) * share, (p1 * f0 - p0 * f1) * share
-    row[into + 6], row[into + 7] = (q0 * b1 - q1 * b0) * share, (p1 * b0 - p0 * b1) * share
-    out, step = place + OUT, place + STEP
+    wronskian = p0 * q1 - p1 * q0
+    row[INTO], row[INTO + 1] = q1 / wronskian, -q0 / wronskian
+    row[INTO + 2], row[INTO + 3] = -p1 / wronskian, p0 / wronskian
+    row[INTO + 4], row[INTO + 5] = (q0 * f1 - q1 * f0) / wronskian, (p1 * f0 - p0 * f1) / wronskian
+    row[INTO + 6], row[INTO + 7] = (q0 * b1 - q1 * b0) / wronskian, (p1 * b0 - p0 * b1) / wronskian
     for column, wave in ((0, P), (1, Q), (4, R_FORCE), (6, R_CLEARANCE)):
         below = column + 2 if column < 2 else column + 1
-        value, slope = value_at_end(row, waves + wave, 4, 1.0)
-        row[out + column], row[out + below] = value, slope * rate
+        value, slope = value_at_end(row, WAVES + wave, 4, 1.0)
+        row[OUT + column], row[OUT + below] = value, slope * rate
     for line in (0, 2):
-        p, q, extra = row[out + line], row[out + line + 1], line // 2
-        row[step + line] = p * row[into] + q * row[into + 2]
-        row[step + line + 1] = p * row[into + 1] + q * row[into + 3]
-        row[step + 4 + extra] = p * row[into + 4] + q * row[into + 5] + row[out + 4 + extra]
-        row[step + 6 + extra] = p * row[into + 6] + q * row[into + 7] + row[out + 6 + extra]
-    bend_p = fourth_derivative_bound(row, waves + P, 4) / 9.0
-    bend_q = fourth_derivative_bound(row, waves + Q, 4) / 9.0
-    bend_r = fourth_derivative_bound(row, waves + R_FORCE, 4) + fourth_derivative_bound(row, waves + R_CLEARANCE, 4)
-    row[place + BEND], row[place + BEND + 1], row[place + BEND + 2] = bend_p, bend_q, bend_r / 9.0
-    slack[0] = max(slack[0], bend_p * abs(row[into]) + bend_q * abs(row[into + 2]))
-    slack[1] = max(slack[1], bend_p * abs(row[into + 1]) + bend_q * abs(row[into + 3]))
-    offset = bend_p * (abs(row[into + 4]) + abs(row[into + 6])) + bend_q * (abs(row[into + 5]) + abs(row[into + 7]))
-    slack[2] = max(slack[2], offset + bend_r / 9.0 + row[CLEARANCE_BEND])
+        p, q, extra = row[OUT + line], row[OUT + line + 1], line // 2
+        row[STEP + line] = p * row[INTO] + q * row[INTO + 2]
+        row[STEP + line + 1] = p * row[INTO + 1] + q * row[INTO + 3]
+        row[STEP + 4 + extra] = p * row[INTO + 4] + q * row[INTO + 5] + row[OUT + 4 + extra]
+        row[STEP + 6 + extra] = p * row[INTO + 6] + q * row[INTO + 7] + row[OUT + 6 + extra]
+    bend_p = fourth_derivative_bound(row, WAVES + P, 4) / 9.0
+    bend_q = fourth_derivative_bound(row, WAVES + Q, 4) / 9.0
+    bend_r = fourth_derivative_bound(row, WAVES + R_FORCE, 4) + fourth_derivative_bound(row, WAVES + R_CLEARANCE, 4)
+    row[BEND], row[BEND + 1], row[BEND + 2] = bend_p, bend_q, bend_r / 9.0
+    slack[0] = max(slack[0], bend_p * abs(row[INTO]) + bend_q * abs(row[INTO + 2]))
+    slack[1] = max(slack[1], bend_p * abs(row[INTO + 1]) + bend_q * abs(row[INTO + 3]))
+    offset = bend_p * (abs(row[INTO + 4]) + abs(row[INTO + 6])) + bend_q * (abs(row[INTO + 5]) + abs(row[INTO + 7]))
+    slack[2] = max(slack[2], offset + bend_r / 9.0 + clearance_bend)

@@ -9,8 +9,6 @@ crosses zero once; where it proves neither the piece is halved. Nothing is sampl
 from gearwear.dynamics.affine_table import (
     CLEARANCE,
     CLEARANCE_BEND,
-    END_CLEARANCE,
-    RATE,
     WAVES,
 )
 from gearwear.dynamics.cell_series import DEGREE, TERMS
@@ -19,18 +17,18 @@ from gearwear.dynamics.compiled import njit
 # Places in the work array: series of x, of dx/ds and of d2x/ds2, and whether they are up to date.
 MOTION, SLOPE, CURVE, READY = 0, 16, 32, 48
 ROUND_OFF = 1e-14
+SIXTH = 1.0 / 6.0
 MOST_PIECES = 400
 NONE, CROSSES, UNDECIDED = 0, 1, 2
 
 
 @njit
-def set_motion(rows, r, place, side, x_middle, v_middle, work):
-    """Write the series of the motion that passes through a state in the middle of a cell."""
-    at = place + WAVES
+def set_motion(branch, middle, work):
+    """Write the series of the motion on a branch that passes through (side, x, v) in the middle of its cell."""
+    side, x, v = middle
     for j in range(TERMS):
-        work[MOTION + j] = (rows[r, at + 4 * j] * x_middle + rows[r, at + 4 * j + 1] * v_middle) + (
-            rows[r, at + 4 * j + 2] + side * rows[r, at + 4 * j + 3]
-        )
+        at = WAVES + 4 * j
+        work[MOTION + j] = (branch[at] * x + branch[at + 1] * v) + (branch[at + 2] + side * branch[at + 3])
     for j in range(TERMS - 1):
         work[SLOPE + j] = (j + 1) * work[MOTION + j + 1]
     for j in range(TERMS - 2):
@@ -51,22 +49,22 @@ def series_at(work, start, s):
 
 
 @njit
-def clearance_at(rows, r, s):
+def clearance_at(common, s):
     """Clearance b inside a cell, and its first and second derivative by s."""
-    b, slope, curve = rows[r, CLEARANCE], 0.0, 0.0
-    if rows[r, CLEARANCE_BEND] != 0.0:
+    b, slope, curve = common[CLEARANCE], 0.0, 0.0
+    if common[CLEARANCE_BEND] != 0.0:
         b = 0.0
         for n in range(DEGREE, -1, -1):
             curve = curve * s + 2.0 * slope
             slope = slope * s + b
-            b = b * s + rows[r, CLEARANCE + n]
+            b = b * s + common[CLEARANCE + n]
     return b, slope, curve
 
 
 @njit
-def margin_at(rows, r, work, inward, corner, s):
+def margin_at(common, work, inward, corner, s):
     """Margin to the corner at corner b, its slope and its curvature by s."""
-    b, slope, curve = clearance_at(rows, r, s)
+    b, slope, curve = clearance_at(common, s)
     return (
         inward * (corner * series_at(work, MOTION, s) - b),
         inward * (corner * series_at(work, SLOPE, s) - slope),
@@ -83,7 +81,7 @@ def hull_verdict(length, m0, d0, m1, d1, bend):
     half = 0.5 * length
     bend *= half * half * half * half
     q1, q3 = m0 + 0.25 * length * d0, m1 - 0.25 * length * d1
-    q2 = 0.5 * (m0 + m1) + length / 6.0 * (d0 - d1)
+    q2 = 0.5 * (m0 + m1) + SIXTH * length * (d0 - d1)
     if q1 >= 0.0 and q3 >= 0.0 and q2 >= bend and m1 >= 0.0:
         return NONE
     if m1 < 0.0 and (q1 >= 0.0 or q3 < 0.0) and (q3 < 0.0 or q2 >= bend) and (q1 >= 0.0 or q2 < -bend):
@@ -112,43 +110,44 @@ def first_guess(m0, d0, m1, d1):
 
 
 @njit
-def locate(rows, r, work, inward, corner, low, m0, d0, high, m1, d1):
-    """Root of the margin in [low, high], where it falls below zero, by Halley's method kept in its bracket."""
+def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
+    """Root of the margin in [low, high], where it falls below zero, and its slope there.
+
+    Halley's method kept in its bracket; its last step, below 1e-8, is taken without another evaluation.
+    """
     if m0 <= 0.0 and d0 < 0.0:
-        return low
+        return low, d0
     length = high - low
     s = low + length * min(1.0, max(0.0, first_guess(m0, length * d0, m1, length * d1)))
+    d = d1
     for _ in range(80):
-        m, d, c = margin_at(rows, r, work, inward, corner, s)
+        m, d, c = margin_at(common, work, inward, corner, s)
         if m > 0.0:
             low = s
         else:
             high = s
-        change = high - low
         following = 0.5 * (low + high)
         if d < 0.0:
-            bent = d - 0.5 * m * c / d
-            if bent < 0.0:
-                trial = s - m / bent
-                if low <= trial <= high:
-                    change, following = abs(m / bent), trial
-                elif abs(m) < 1e-16:
-                    return s
-        if change < 1e-8 and change * abs(c) <= 1e-5 * abs(d):
-            return following
-        if following in (low, high) and change < 1e-15:
-            return following
+            change = -2.0 * m * d / (2.0 * d * d - m * c)
+            trial = s + change
+            if abs(change) < 1e-8 and abs(change * c) <= -1e-5 * d:
+                return min(1.0, trial), d + c * change
+            if low < trial < high:
+                following = trial
+        if following in (low, high) or m == 0.0:
+            return s, d
         s = following
-    return s
+    return s, d
 
 
 @njit
-def first_exit(rows, r, place, middle, work, inward, corner, low, m0, d0, m_end, d_end, bend):
-    """First departure of a branch through one corner between s = low and 1: (found, s).
+def first_exit(common, branch, middle, work, inward, corner, low, m0, d0, m_end, d_end, bend):
+    """First departure of a branch through one corner between s = low and 1: (found, s, slope of the margin there).
 
     Parameters
     ----------
-    place, middle : branch and the (side, x, v) of its motion in the middle of the cell
+    common, branch : rows of the cell
+    middle : (side, x, v) of the motion in the middle of the cell
     inward, corner : 1 in contact, -1 without; side of the corner
     m0, d0, m_end, d_end : margin and its slope by s at both ends
     bend : see hull_verdict
@@ -158,11 +157,12 @@ def first_exit(rows, r, place, middle, work, inward, corner, low, m0, d0, m_end,
         length = high - low
         verdict = hull_verdict(length, m0, d0, m1, d1, bend)
         if verdict == NONE and high == 1.0:
-            return False, 1.0
+            break
         if work[READY] == 0.0:
-            set_motion(rows, r, place, middle[0], middle[1], middle[2], work)
+            set_motion(branch, middle, work)
         if verdict == CROSSES:
-            return True, locate(rows, r, work, inward, corner, low, m0, d0, high, m1, d1)
+            s, slope = locate(common, work, inward, corner, low, m0, d0, high, m1, d1)
+            return True, s, slope
         if verdict == NONE:
             low, m0, d0 = high, m1, d1
             high = min(1.0, low + 2.0 * length)
@@ -171,12 +171,5 @@ def first_exit(rows, r, place, middle, work, inward, corner, low, m0, d0, m_end,
         if high == 1.0:
             m1, d1 = m_end, d_end
         else:
-            m1, d1, _ = margin_at(rows, r, work, inward, corner, high)
-    return False, 1.0
-
-
-@njit
-def ends_of_clearance(rows, r, s):
-    """Clearance and its slope by s at a point and at the end of the cell."""
-    b0, slope0, _ = clearance_at(rows, r, s)
-    return b0, slope0, rows[r, END_CLEARANCE + 2], rows[r, END_CLEARANCE + 3] / rows[r, RATE]
+            m1, d1, _ = margin_at(common, work, inward, corner, high)
+    return False, 1.0, d_end

@@ -12,7 +12,7 @@ from gearwear.dynamics.affine_table import (
     STIFFNESS,
     STIFFNESS_HIGH,
 )
-from gearwear.dynamics.cell_exit import MOTION, READY, series_at, set_motion
+from gearwear.dynamics.cell_exit import MOTION, READY, SIXTH, series_at, set_motion
 from gearwear.dynamics.cell_series import DEGREE, TERMS, fourth_derivative_bound
 from gearwear.dynamics.compiled import njit
 
@@ -29,7 +29,7 @@ def hull_top(length, f0, d0, f1, d1, bend):
     """Upper bound of a function over a piece; ``bend`` as in cell_exit.hull_verdict."""
     half = 0.5 * length
     q1, q3 = f0 + 0.25 * length * d0, f1 - 0.25 * length * d1
-    q2 = 0.5 * (f0 + f1) + length / 6.0 * (d0 - d1) + bend * half * half * half * half
+    q2 = 0.5 * (f0 + f1) + SIXTH * length * (d0 - d1) + bend * half * half * half * half
     return max(max(f0, f1), max(q2, max(q1, q3)))
 
 
@@ -39,7 +39,7 @@ def turns_down_once(length, f0, d0, f1, d1, bend):
     half = 0.5 * length
     bend *= half * half * half * half
     q1, q3 = f0 + 0.25 * length * d0, f1 - 0.25 * length * d1
-    q2 = 0.5 * (f0 + f1) + length / 6.0 * (d0 - d1)
+    q2 = 0.5 * (f0 + f1) + SIXTH * length * (d0 - d1)
     return d0 > 0.0 > d1 and (q2 - bend >= q1 or q3 <= q2 - bend) and (q2 + bend <= q1 or q3 >= q2 + bend or q3 <= q2)
 
 
@@ -89,14 +89,14 @@ def highest(work, start, sign, low, f0, d0, end, f_end, d_end, bend, best):
 
 
 @njit
-def set_load(rows, r, side, work):
+def set_load(common, side, work):
     """Write the series of the mesh force k (side x - b) and of its derivatives, up to the degree kept."""
     for n in range(TERMS):
         work[LOAD + n] = 0.0
     for n in range(DEGREE + 1):
-        margin = side * work[MOTION + n] - rows[r, CLEARANCE + n]
+        margin = side * work[MOTION + n] - common[CLEARANCE + n]
         for i in range(DEGREE + 1 - n):
-            work[LOAD + n + i] += rows[r, STIFFNESS + i] * margin
+            work[LOAD + n + i] += common[STIFFNESS + i] * margin
     for n in range(TERMS - 1):
         work[LOAD_SLOPE + n] = (n + 1) * work[LOAD + n + 1]
     work[LOAD_SLOPE + TERMS - 1] = 0.0
@@ -106,30 +106,31 @@ def set_load(rows, r, side, work):
 
 
 @njit
-def note_piece(rows, r, place, middle, low, x, v, high, x1, v1, work, record, lane):
+def note_piece(common, branch, middle, low, x, v, high, x1, v1, work, record, lane):
     """Take the piece of a motion between s = low and high into the record of its period.
 
     Parameters
     ----------
-    place, middle : branch and the (side, x, v) of its motion in the middle of the cell
+    common, branch : rows of the cell
+    middle : (side, x, v) of the motion in the middle of the cell
     x, v, x1, v1 : states at both ends
     work : work array; READY there tells whether the series of the motion is written
     record : (lanes, RECORDS), of which the row ``lane`` is updated
     """
-    side, half = middle[0], rows[r, HALF_WIDTH]
+    side, half = middle[0], common[HALF_WIDTH]
     length = high - low
-    bend = rows[r, place + BEND] * abs(middle[1]) + rows[r, place + BEND + 1] * abs(middle[2])
-    bend += rows[r, place + BEND + 2]
+    bend = branch[BEND] * abs(middle[1]) + branch[BEND + 1] * abs(middle[2])
+    bend += branch[BEND + 2]
     top = hull_top(length, x, v * half, x1, v1 * half, bend)
     bottom = -hull_top(length, -x, -v * half, -x1, -v1 * half, bend)
     if side == 0.0:
         record[lane, LOST] += length * half
         load = 0.0
     else:
-        load = rows[r, STIFFNESS_HIGH] * (max(side * top, side * bottom) - rows[r, CLEARANCE_LOW])
+        load = common[STIFFNESS_HIGH] * (max(side * top, side * bottom) - common[CLEARANCE_LOW])
     new = top > record[lane, HIGHEST] or bottom < record[lane, LOWEST] or load > record[lane, FORCE]
     if new and work[READY] == 0.0:
-        set_motion(rows, r, place, side, middle[1], middle[2], work)
+        set_motion(branch, middle, work)
     if top > record[lane, HIGHEST]:
         best = record[lane, HIGHEST]
         record[lane, HIGHEST] = highest(work, MOTION, 1.0, low, x, v * half, high, x1, v1 * half, bend, best)
@@ -137,7 +138,7 @@ def note_piece(rows, r, place, middle, low, x, v, high, x1, v1, work, record, la
         best = -record[lane, LOWEST]
         record[lane, LOWEST] = -highest(work, MOTION, -1.0, low, -x, -v * half, high, -x1, -v1 * half, bend, best)
     if load > record[lane, FORCE]:
-        set_load(rows, r, side, work)
+        set_load(common, side, work)
         bend = fourth_derivative_bound(work, LOAD, 1) / 9.0
         f0, d0 = series_at(work, LOAD, low), series_at(work, LOAD_SLOPE, low)
         f1, d1 = series_at(work, LOAD, high), series_at(work, LOAD_SLOPE, high)

@@ -32,33 +32,34 @@ def add_wave(series, start, cosine, sine, angle, turn):
 
 
 @njit
-def fundamental_series(waves, start, kind, half_width, friction, stiffness, force, shift):
-    """Write the coefficients of P, Q, R_F, R_b, four a power, to waves[start:], of a cell.
+def fundamental_series(waves, in_contact, half_width, friction, stiffness, force, shift):
+    """Write the coefficients of P, Q, R_F, R_b, four a power, of a cell.
 
     Power series of x'' + c x' + k x = F + side k b, term by term: with H the half width,
     (j + 1)(j + 2) x_{j+2} = H^2 (G_j - sum_i k_i x_{j-i}) - c H (j + 1) x_{j+1}.
 
     Parameters
     ----------
-    kind : 1 in contact, 0 without (k = 0)
+    waves : (4 TERMS,) where they go
+    in_contact : False without contact, k = 0
     stiffness, force, shift : (TERMS,) Taylor coefficients in s of k, F and k b
     """
     square, damping = half_width * half_width, friction * half_width
     for n in range(4 * TERMS):
-        waves[start + n] = 0.0
-    waves[start + P] = 1.0
-    waves[start + 4 + Q] = half_width
+        waves[n] = 0.0
+    waves[P] = 1.0
+    waves[4 + Q] = half_width
     for j in range(DEGREE - 1):
         p, q, f, b = 0.0, 0.0, force[j], 0.0
-        if kind == 1:
+        if in_contact:
             b = shift[j]
             for i in range(j + 1):
-                at = start + 4 * (j - i)
+                at = 4 * (j - i)
                 p -= stiffness[i] * waves[at + P]
                 q -= stiffness[i] * waves[at + Q]
                 f -= stiffness[i] * waves[at + R_FORCE]
                 b -= stiffness[i] * waves[at + R_CLEARANCE]
-        before, after = start + 4 * (j + 1), start + 4 * (j + 2)
+        before, after = 4 * (j + 1), 4 * (j + 2)
         share, drag = 1.0 / ((j + 1) * (j + 2)), damping * (j + 1)
         waves[after + P] = (square * p - drag * waves[before + P]) * share
         waves[after + Q] = (square * q - drag * waves[before + Q]) * share

@@ -150,7 +150,7 @@ def check_request(tangent, periods, first_period, tolerance, detail, backend) ->
 
 def _affine(oscillator, state, periods, tangent, phases, detail):
     rows, slack = affine_table.affine_table(oscillator, phases)
-    stops = np.searchsorted(rows[:, affine_table.START], phases)
+    stops = np.searchsorted(rows[:, affine_table.COMMON, affine_table.START], phases)
     run = affine_flow.run(rows, slack, state, tangent, int(periods), detail, stops.astype(np.int64))
     states, maps, growth, records, visits, status = run
     return collected(oscillator.period, states, maps, growth, records, tangent, status, detail), visits
