@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwear.dynamics import motion_class
-from gearwear.dynamics.motion import BLOW_UP, COMPLETED, Strobe, monodromy, strobe
+from gearwear.dynamics.motion import BLOW_UP, COMPLETED, GROWTH, Strobe, monodromy, strobe
 from gearwear.dynamics.oscillator import Oscillator
 from gearwear.dynamics.section import BATCHES, is_closed_curve, mean_and_error, recurrence
 
@@ -92,7 +92,7 @@ def settle(oscillator: Oscillator, state, settling: Settling, tolerance: float =
     check_settling(settling)
     transient, reached, tangent = settling.transient_periods, 0, (1.0, 0.0)
     while True:
-        run = strobe(oscillator, state, transient - reached, reached, tolerance, tangent)
+        run = strobe(oscillator, state, transient - reached, reached, tolerance, tangent, detail=GROWTH)
         sample = run
         if run.status == COMPLETED:
             sample = strobe(oscillator, run.states[-1], settling.sampled_periods, transient, tolerance, run.tangent)

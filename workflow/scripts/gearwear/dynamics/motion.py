@@ -1,5 +1,8 @@
 """Motion of an oscillator over whole forcing periods: the one interface between analyses and integrators.
 
+An oscillator that repeats with the mesh is carried by the tabulated affine map (affine_flow), to round-off. With a
+torque at another frequency it is integrated by Dormand-Prince (period_flow), to the tolerance.
+
 Mesh phase 0 begins a period; the state there is the one after the jump a tabulated transmission error may have.
 A motion that cannot be carried on is reported by a status, never by an exception, and the rest of it is NaN.
 """
@@ -8,14 +11,20 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwear.dynamics import period_flow
+from gearwear.dynamics import affine_flow, affine_table, cell_crossing, cell_extremes, period_flow
 from gearwear.dynamics.oscillator import Oscillator
 
 COMPLETED, BLOW_UP, TOO_MANY_STEPS = period_flow.COMPLETED, period_flow.BLOW_UP, period_flow.TOO_MANY_STEPS
+STATES, GROWTH = cell_crossing.STATES, cell_crossing.GROWTH
+MAPS, RECORDS = cell_crossing.MAPS, cell_crossing.RECORDS
+AUTOMATIC, GENERAL = "automatic", "general"
 
 
 class Strobe(NamedTuple):
     """Motion seen once per forcing period, at mesh phase 0; lengths in units of b0, times dimensionless.
+
+    What the detail does not ask for is None: growth and tangent need GROWTH, tangent_maps MAPS, what happens within
+    a period RECORDS.
 
     states : (periods + 1, 2) displacement and velocity, the start first
     growth : (periods,) logarithm of the growth of the tangent vector
@@ -29,19 +38,26 @@ class Strobe(NamedTuple):
     """
 
     states: np.ndarray
-    growth: np.ndarray
-    lost: np.ndarray
-    impacts: np.ndarray
-    displacement_min: np.ndarray
-    displacement_max: np.ndarray
-    force_max: np.ndarray
-    tangent_maps: np.ndarray
-    tangent: np.ndarray
+    growth: np.ndarray | None
+    lost: np.ndarray | None
+    impacts: np.ndarray | None
+    displacement_min: np.ndarray | None
+    displacement_max: np.ndarray | None
+    force_max: np.ndarray | None
+    tangent_maps: np.ndarray | None
+    tangent: np.ndarray | None
     status: int
 
 
 def strobe(
-    oscillator: Oscillator, state, periods: int, first_period: int = 0, tolerance: float = 1e-10, tangent=(1.0, 0.0)
+    oscillator: Oscillator,
+    state,
+    periods: int,
+    first_period: int = 0,
+    tolerance: float = 1e-10,
+    tangent=(1.0, 0.0),
+    detail: int = RECORDS,
+    backend: str = AUTOMATIC,
 ) -> Strobe:
     """Run whole forcing periods from a state at mesh phase 0.
 
@@ -50,19 +66,32 @@ def strobe(
     state : (2,) displacement and velocity
     periods : number of forcing periods
     first_period : index of the first one; it sets the phase of the external torque
-    tolerance : relative (and for values below 1 absolute) tolerance of the integrator, 1e-13 to 1e-3
+    tolerance : relative (and for values below 1 absolute) tolerance of Dormand-Prince, 1e-13 to 1e-3; the affine
+        map needs none
     tangent : (2,) tangent vector whose growth is measured, any length but 0
+    detail : STATES, GROWTH, MAPS or RECORDS; each holds the ones before it and takes longer, the states are the same
+    backend : AUTOMATIC, or GENERAL for Dormand-Prince in any case
 
     Raises
     ------
     ValueError
         For a state or tangent that is not two finite numbers, or a number outside its range.
     """
-    return _strobe(oscillator, state, periods, first_period, tolerance, tangent, ())[0]
+    state, tangent = pair(state, "state"), pair(tangent, "tangent")
+    check_request(tangent, periods, first_period, tolerance, detail, backend)
+    if backend == GENERAL or not affine_table.applies_to(oscillator):
+        return _general(oscillator, state, periods, first_period, tolerance, tangent, (), detail)[0]
+    return _affine(oscillator, state, periods, tangent, (), detail)[0]
 
 
 def trace(
-    oscillator: Oscillator, state, phases, periods: int, first_period: int = 0, tolerance: float = 1e-10
+    oscillator: Oscillator,
+    state,
+    phases,
+    periods: int,
+    first_period: int = 0,
+    tolerance: float = 1e-10,
+    backend: str = AUTOMATIC,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Displacement and velocity, (periods, len(phases)), at mesh phases of each period, reached by stepping.
 
@@ -71,23 +100,41 @@ def trace(
     phases = np.array(phases, dtype=float)
     if phases.ndim != 1 or not np.all((phases >= 0.0) & (phases <= 1.0)) or np.any(np.diff(phases) <= 0.0):
         raise ValueError("phases: must be one strictly increasing list within [0, 1] (mesh phase)")
-    visits = _strobe(oscillator, state, periods, first_period, tolerance, (1.0, 0.0), phases)[1]
+    state, tangent = pair(state, "state"), np.array([1.0, 0.0])
+    check_request(tangent, periods, first_period, tolerance, STATES, backend)
+    if backend == GENERAL or not affine_table.applies_to(oscillator):
+        visits = _general(oscillator, state, periods, first_period, tolerance, tangent, phases, STATES)[1]
+    else:
+        visits = _affine(oscillator, state, periods, tangent, tuple(phases.tolist()), STATES)[1]
     return visits[:, :, 0], visits[:, :, 1]
 
 
 def monodromy(
-    oscillator: Oscillator, state, periods: int, first_period: int = 0, tolerance: float = 1e-10
+    oscillator: Oscillator,
+    state,
+    periods: int,
+    first_period: int = 0,
+    tolerance: float = 1e-10,
+    backend: str = AUTOMATIC,
 ) -> tuple[np.ndarray, np.ndarray]:
     """State after some periods and its (2, 2) derivative by the state before them; errors as strobe."""
-    motion = strobe(oscillator, state, periods, first_period, tolerance)
+    motion = strobe(oscillator, state, periods, first_period, tolerance, detail=MAPS, backend=backend)
     matrix = np.eye(2)
     for tangent_map in motion.tangent_maps:
         matrix = tangent_map @ matrix
     return motion.states[-1], matrix
 
 
-def _strobe(oscillator, state, periods, first_period, tolerance, tangent, phases):
-    state, tangent = _pair(state, "state"), _pair(tangent, "tangent")
+def pair(values, name: str) -> np.ndarray:
+    """The values as an array of two finite numbers; ValueError if they are anything else."""
+    numbers = np.array(values, dtype=float)
+    if numbers.shape != (2,) or not np.all(np.isfinite(numbers)):
+        raise ValueError(f"{name}: {values} must be two finite numbers, displacement and velocity (dimensionless)")
+    return numbers
+
+
+def check_request(tangent, periods, first_period, tolerance, detail, backend) -> None:
+    """ValueError for a number outside its range or a tangent without direction."""
     if not np.any(tangent):
         raise ValueError("tangent: the zero vector has no direction; give a vector of any other length")
     for name, count in (("periods", periods), ("first_period", first_period)):
@@ -95,6 +142,21 @@ def _strobe(oscillator, state, periods, first_period, tolerance, tangent, phases
             raise ValueError(f"{name}: {count} (forcing periods) must be a whole number, 0 or more")
     if not 1e-13 <= tolerance <= 1e-3:
         raise ValueError(f"tolerance: {tolerance} (relative) must be within 1e-13 and 1e-3")
+    if detail not in (STATES, GROWTH, MAPS, RECORDS):
+        raise ValueError(f"detail: {detail} must be one of STATES, GROWTH, MAPS and RECORDS, 0 to 3")
+    if backend not in (AUTOMATIC, GENERAL):
+        raise ValueError(f"backend: {backend!r} must be {AUTOMATIC!r} or {GENERAL!r}")
+
+
+def _affine(oscillator, state, periods, tangent, phases, detail):
+    rows, slack = affine_table.affine_table(oscillator, phases)
+    stops = np.searchsorted(rows[:, affine_table.COMMON, affine_table.START], phases)
+    run = affine_flow.run(rows, slack, state, tangent, int(periods), detail, stops.astype(np.int64))
+    states, maps, growth, records, visits, status = run
+    return collected(oscillator.period, states, maps, growth, records, tangent, status, detail), visits
+
+
+def _general(oscillator, state, periods, first_period, tolerance, tangent, phases, detail):
     states, maps, growth, records, visits, status = period_flow.run(
         *oscillator.coefficients,
         state,
@@ -104,23 +166,29 @@ def _strobe(oscillator, state, periods, first_period, tolerance, tangent, phases
         float(tolerance),
         np.array(phases, dtype=float),
     )
-    motion = Strobe(
+    return collected(oscillator.period, states, maps, growth, records, tangent, int(status), detail), visits
+
+
+def collected(period, states, maps, growth, records, tangent, status, detail) -> Strobe:
+    """The arrays of a kernel as a Strobe with no more than the detail asks for; a leading axis of points may be there.
+
+    records : (..., periods, columns), the columns those of cell_extremes; period : () or (points, 1)
+    """
+    if detail < RECORDS:
+        lost = impacts = lowest = highest = force = None
+    else:
+        lost = np.clip(records[..., cell_extremes.LOST] / period, 0.0, 1.0)
+        impacts, force = records[..., cell_extremes.IMPACTS], records[..., cell_extremes.FORCE]
+        lowest, highest = records[..., cell_extremes.LOWEST], records[..., cell_extremes.HIGHEST]
+    return Strobe(
         states=states,
-        growth=growth,
-        lost=np.clip(records[:, period_flow.LOST] / oscillator.period, 0.0, 1.0),
-        impacts=records[:, period_flow.IMPACTS],
-        displacement_min=records[:, period_flow.LOWEST],
-        displacement_max=records[:, period_flow.HIGHEST],
-        force_max=records[:, period_flow.FORCE],
-        tangent_maps=maps,
-        tangent=tangent,
-        status=int(status),
+        growth=growth if detail >= GROWTH else None,
+        lost=lost,
+        impacts=impacts,
+        displacement_min=lowest,
+        displacement_max=highest,
+        force_max=force,
+        tangent_maps=maps if detail >= MAPS else None,
+        tangent=tangent if detail >= GROWTH else None,
+        status=status,
     )
-    return motion, visits
-
-
-def _pair(values, name: str) -> np.ndarray:
-    pair = np.array(values, dtype=float)
-    if pair.shape != (2,) or not np.all(np.isfinite(pair)):
-        raise ValueError(f"{name}: {values} must be two finite numbers, displacement and velocity (dimensionless)")
-    return pair

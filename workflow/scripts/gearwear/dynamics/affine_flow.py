@@ -1,0 +1,143 @@
+"""The tabulated affine map of one oscillator over whole forcing periods: the readable specification.
+
+Nearly all cells are passed in one step of a tabulated affine map; a cell that may hold a corner goes through
+cell_crossing. The branch at mesh phase 0 is that of the state there: the map of a period is a function of it alone.
+"""
+
+import math
+
+import numpy as np
+
+from gearwear.dynamics.affine_table import (
+    CLEARANCE_HIGH,
+    CLEARANCE_LOW,
+    COMMON,
+    CONTACT,
+    FREE,
+    FRESH,
+    HALF_WIDTH,
+    INTO,
+    KICK_V,
+    KICK_X,
+    STEP,
+)
+from gearwear.dynamics.cell_crossing import GROWTH, MAP, MAPS, RECORDS, affine, cross_cell, side_at_start
+from gearwear.dynamics.cell_exit import READY
+from gearwear.dynamics.cell_extremes import HIGHEST, IMPACTS, LOWEST, WORK, note_piece
+from gearwear.dynamics.cell_extremes import RECORDS as COLUMNS
+from gearwear.dynamics.compiled import njit
+
+COMPLETED, BLOW_UP, TOO_MANY_STEPS = 0, 1, 2
+LARGEST_DISPLACEMENT = 1e6
+THIRD = 1.0 / 3.0
+
+
+@njit
+def stays(side, x, v, x1, v1, half, low, high, slack_x, slack_v, slack_1):
+    """Whether a cell is passed on one branch for sure: the hull of cell_exit lies between the corners or beyond."""
+    q1, q3 = x + 0.5 * half * v, x1 - 0.5 * half * v1
+    q2 = 0.5 * (x + x1) + THIRD * half * (v - v1)
+    slack = slack_x * abs(x) + slack_v * abs(v) + slack_1
+    free = side == 0.0
+    gap1 = low - abs(q1) if free else side * q1 - high
+    gap2 = low - abs(q2) if free else side * q2 - high
+    gap3 = low - abs(q3) if free else side * q3 - high
+    gap4 = low - abs(x1) if free else side * x1 - high
+    return (gap1 > 0.0) & (gap2 > slack) & (gap3 > 0.0) & (gap4 > 0.0)
+
+
+@njit
+def growth_of(direction, a, b, c, d):
+    """Logarithm of the growth of a tangent vector under a matrix; the vector is updated and made of length 1."""
+    p, q = a * direction[0] + b * direction[1], c * direction[0] + d * direction[1]
+    size = math.hypot(p, q)
+    growth = math.log(size / math.hypot(direction[0], direction[1]))
+    direction[0], direction[1] = p / size, q / size
+    return growth
+
+
+@njit
+def run(rows, slack, state, direction, periods, detail, stops):
+    """Run whole periods of the oscillator of a table.
+
+    Parameters
+    ----------
+    rows, slack : as in AffineTable
+    state, direction : (2,) state at mesh phase 0 and tangent vector; the direction is updated in place
+    detail : STATES; GROWTH of the direction; MAPS too; RECORDS too. What is not asked for is NaN
+    stops : increasing numbers of cells at whose start the state is noted; the number of cells for the period's end
+
+    Returns
+    -------
+    states : (periods + 1, 2) at mesh phase 0, after the kick there
+    maps : (periods, 2, 2) derivative of the state after a period by the state before it
+    growth : (periods,) logarithm of the growth of the direction
+    records : (periods, COLUMNS) columns LOWEST, HIGHEST, FORCE, LOST (time), IMPACTS
+    visits : (periods, stops, 2)
+    status : COMPLETED, BLOW_UP or TOO_MANY_STEPS; what was not reached is NaN
+    """
+    states = np.full((periods + 1, 2), np.nan)
+    maps = np.full((periods, 2, 2), np.nan)
+    growth = np.full(periods, np.nan)
+    records = np.full((periods, COLUMNS), np.nan)
+    visits = np.full((periods, stops.size, 2), np.nan)
+    work, record = np.zeros(WORK), np.zeros((1, COLUMNS))
+    x, v, side = state[0], state[1], 0.0
+    states[0, 0], states[0, 1] = x, v
+    for i in range(periods):
+        a, b, c, d = 1.0, 0.0, 0.0, 1.0
+        record[0, :] = 0.0
+        record[0, LOWEST], record[0, HIGHEST] = x, x
+        noted = 0
+        for r in range(rows.shape[0]):
+            while noted < stops.size and stops[noted] == r:
+                visits[i, noted, 0], visits[i, noted, 1] = x, v
+                noted += 1
+            common = rows[r, COMMON]
+            if common[FRESH] != 0.0:
+                entered = side_at_start(common, x, v)
+                if i + r > 0 and entered != 0.0 and entered != side:
+                    record[0, IMPACTS] += 1.0
+                side = entered
+            branch = rows[r, CONTACT if side != 0.0 else FREE]
+            x1, v1 = affine(branch, STEP, side, x, v)
+            if stays(
+                side,
+                x,
+                v,
+                x1,
+                v1,
+                common[HALF_WIDTH],
+                common[CLEARANCE_LOW],
+                common[CLEARANCE_HIGH],
+                slack[0],
+                slack[1],
+                slack[2],
+            ):
+                m0, m1, m2, m3 = branch[STEP], branch[STEP + 1], branch[STEP + 2], branch[STEP + 3]
+                if detail == RECORDS:
+                    work[READY] = 0.0
+                    xm, vm = affine(branch, INTO, side, x, v)
+                    note_piece(common, branch, (side, xm, vm), -1.0, x, v, 1.0, x1, v1, work, record, 0)
+            else:
+                x1, v1, side, completed = cross_cell(rows[r], side, x, v, detail, work, record, 0)
+                if not completed:
+                    status = BLOW_UP if not abs(x1) < LARGEST_DISPLACEMENT else TOO_MANY_STEPS
+                    return states, maps, growth, records, visits, status
+                m0, m1, m2, m3 = work[MAP], work[MAP + 1], work[MAP + 2], work[MAP + 3]
+            a, b, c, d = m0 * a + m1 * c, m0 * b + m1 * d, m2 * a + m3 * c, m2 * b + m3 * d
+            x, v = x1 + common[KICK_X], v1 + common[KICK_V]
+            record[0, LOWEST], record[0, HIGHEST] = min(record[0, LOWEST], x), max(record[0, HIGHEST], x)
+        if not (abs(x) < LARGEST_DISPLACEMENT and abs(v) < LARGEST_DISPLACEMENT):
+            return states, maps, growth, records, visits, BLOW_UP
+        while noted < stops.size:
+            visits[i, noted, 0], visits[i, noted, 1] = x, v
+            noted += 1
+        states[i + 1, 0], states[i + 1, 1] = x, v
+        if detail >= GROWTH:
+            growth[i] = growth_of(direction, a, b, c, d)
+        if detail >= MAPS:
+            maps[i, 0, 0], maps[i, 0, 1], maps[i, 1, 0], maps[i, 1, 1] = a, b, c, d
+        if detail == RECORDS:
+            records[i] = record[0]
+    return states, maps, growth, records, visits, COMPLETED

@@ -1,0 +1,187 @@
+"""The tabulated affine map of sixteen oscillators side by side: affine_flow for the vector registers of a processor.
+
+Every lane has its own table and meets its own corners, by the same operations in the same order as in affine_flow: its
+results are those of affine_flow to the last bit, whatever its neighbours are. The lanes share nothing but the loop over
+cells; one with fewer cells, or none to run, stands still in cells that change nothing.
+"""
+
+import numpy as np
+
+from gearwear.dynamics.affine_flow import (
+    BLOW_UP,
+    LARGEST_DISPLACEMENT,
+    TOO_MANY_STEPS,
+    growth_of,
+)
+from gearwear.dynamics.affine_table import (
+    COMMON,
+    CONTACT,
+    FREE,
+    FRESH,
+    INTO,
+    KICK_V,
+    KICK_X,
+)
+from gearwear.dynamics.cell_crossing import GROWTH, MAP, MAPS, RECORDS, affine, cross_cell, side_at_start
+from gearwear.dynamics.cell_exit import READY
+from gearwear.dynamics.cell_extremes import HIGHEST, IMPACTS, LOWEST, WORK, note_piece
+from gearwear.dynamics.cell_extremes import RECORDS as COLUMNS
+from gearwear.dynamics.compiled import njit
+from gearwear.dynamics.plain_step import (
+    LANES,
+    M0,
+    PLACES,
+    SIDE,
+    STAYS,
+    T0,
+    T1,
+    T2,
+    T3,
+    V1,
+    X1,
+    V,
+    X,
+    plain_steps,
+    stand_still,
+    take_states,
+    turn_tangents,
+)
+
+
+@njit
+def enter_branch(common, lanes, lane, record, counts):
+    """Set the branch of a lane from its state at the start of a cell."""
+    entered = side_at_start(common, lanes[X * LANES + lane], lanes[V * LANES + lane])
+    if counts and entered != 0.0 and entered != lanes[SIDE * LANES + lane]:
+        record[lane, IMPACTS] += 1.0
+    lanes[SIDE * LANES + lane] = entered
+
+
+@njit
+def cross_lane(cell, lanes, lane, detail, work, record):
+    """Carry a lane that may meet a corner through its cell; False if it cannot be carried on."""
+    x1, v1, side, completed = cross_cell(
+        cell,
+        lanes[SIDE * LANES + lane],
+        lanes[X * LANES + lane],
+        lanes[V * LANES + lane],
+        detail,
+        work,
+        record,
+        lane,
+    )
+    lanes[X1 * LANES + lane], lanes[V1 * LANES + lane], lanes[SIDE * LANES + lane] = x1, v1, side
+    for k in range(4):
+        lanes[(M0 + k) * LANES + lane] = work[MAP + k]
+    return completed
+
+
+@njit
+def note_lane(cell, lanes, lane, work, record):
+    """Take a plain step of a lane into the record of its period."""
+    side, x, v = lanes[SIDE * LANES + lane], lanes[X * LANES + lane], lanes[V * LANES + lane]
+    branch = cell[CONTACT if side != 0.0 else FREE]
+    xm, vm = affine(branch, INTO, side, x, v)
+    x1, v1 = lanes[X1 * LANES + lane], lanes[V1 * LANES + lane]
+    work[READY] = 0.0
+    note_piece(cell[COMMON], branch, (side, xm, vm), -1.0, x, v, 1.0, x1, v1, work, record, lane)
+
+
+@njit
+def kick_lane(common, lanes, lane, record):
+    """Add the kick at the end of a cell, and take the state after it into the record."""
+    x = lanes[X1 * LANES + lane] + common[KICK_X]
+    lanes[X1 * LANES + lane], lanes[V1 * LANES + lane] = x, lanes[V1 * LANES + lane] + common[KICK_V]
+    record[lane, LOWEST], record[lane, HIGHEST] = min(record[lane, LOWEST], x), max(record[lane, HIGHEST], x)
+
+
+@njit
+def freeze(lanes, lane, plain, cells):
+    """Let a lane stand still for good."""
+    for n in range(cells):
+        stand_still(plain, n, lane)
+    lanes[X * LANES + lane] = lanes[V * LANES + lane] = lanes[SIDE * LANES + lane] = 0.0
+
+
+@njit
+def end_period(lanes, lane, i, detail, directions, states, maps, growth, record, records):
+    """Store what a lane did in period i; False if it blew up."""
+    x, v = lanes[X * LANES + lane], lanes[V * LANES + lane]
+    if not (abs(x) < LARGEST_DISPLACEMENT and abs(v) < LARGEST_DISPLACEMENT):
+        return False
+    states[i + 1, 0], states[i + 1, 1] = x, v
+    if detail >= GROWTH:
+        a, b = lanes[T0 * LANES + lane], lanes[T1 * LANES + lane]
+        c, d = lanes[T2 * LANES + lane], lanes[T3 * LANES + lane]
+        growth[i] = growth_of(directions, a, b, c, d)
+        if detail >= MAPS:
+            maps[i, 0, 0], maps[i, 0, 1], maps[i, 1, 0], maps[i, 1, 1] = a, b, c, d
+        if detail == RECORDS:
+            records[i] = record[lane]
+    return True
+
+
+@njit
+def run_group(rows, counts, plain, slack, group, periods, detail, directions, states, maps, growth, records, status):
+    """Run whole periods of up to sixteen oscillators; arguments and results as affine_flow.run, with an axis of points.
+
+    Parameters
+    ----------
+    rows : tables of the lanes, one below the other, each in as many rows as the longest needs
+    counts : (LANES,) number of cells, 0 for a lane without a point
+    plain, slack : as from pack_plain, and (3 LANES,)
+    group : (LANES,) number of the point of every lane
+    """
+    longest = counts.max()
+    lanes, work, record = np.zeros(PLACES * LANES), np.zeros(WORK), np.zeros((LANES, COLUMNS))
+    alive = counts > 0
+    kicked = np.zeros(longest, np.bool_)
+    for lane in range(LANES):
+        if alive[lane]:
+            lanes[X * LANES + lane], lanes[V * LANES + lane] = states[group[lane], 0, 0], states[group[lane], 0, 1]
+            for n in range(counts[lane]):
+                r = lane * longest + n
+                kicked[n] |= rows[r, COMMON, KICK_X] != 0.0 or rows[r, COMMON, KICK_V] != 0.0
+    for i in range(periods):
+        for lane in range(LANES):
+            lanes[T0 * LANES + lane] = lanes[T3 * LANES + lane] = 1.0
+            lanes[T1 * LANES + lane] = lanes[T2 * LANES + lane] = 0.0
+            record[lane, :] = 0.0
+            record[lane, LOWEST] = record[lane, HIGHEST] = lanes[X * LANES + lane]
+            if alive[lane]:
+                enter_branch(rows[lane * longest, COMMON], lanes, lane, record, i > 0)
+        for n in range(longest):
+            if n > 0 and kicked[n - 1]:
+                for lane in range(LANES):
+                    if alive[lane] and n < counts[lane] and rows[lane * longest + n, COMMON, FRESH] != 0.0:
+                        enter_branch(rows[lane * longest + n, COMMON], lanes, lane, record, True)
+            doubtful = plain_steps(plain[n], slack, lanes)
+            if detail == RECORDS:
+                for lane in range(LANES):
+                    if alive[lane] and n < counts[lane] and lanes[STAYS * LANES + lane] != 0.0:
+                        note_lane(rows[lane * longest + n], lanes, lane, work, record)
+            if doubtful:
+                for lane in range(LANES):
+                    if lanes[STAYS * LANES + lane] == 0.0 and not cross_lane(
+                        rows[lane * longest + n], lanes, lane, detail, work, record
+                    ):
+                        blown = not abs(lanes[X1 * LANES + lane]) < LARGEST_DISPLACEMENT
+                        status[group[lane]] = BLOW_UP if blown else TOO_MANY_STEPS
+                        alive[lane] = False
+                        freeze(lanes, lane, plain, longest)
+                        lanes[X1 * LANES + lane] = lanes[V1 * LANES + lane] = 0.0
+            if detail >= GROWTH:
+                turn_tangents(lanes)
+            if kicked[n] or detail == RECORDS:
+                for lane in range(LANES):
+                    if alive[lane] and n < counts[lane]:
+                        kick_lane(rows[lane * longest + n, COMMON], lanes, lane, record)
+            take_states(lanes)
+        for lane in range(LANES):
+            p = group[lane]
+            if alive[lane] and not end_period(
+                lanes, lane, i, detail, directions[p], states[p], maps[p], growth[p], record, records[p]
+            ):
+                status[p] = BLOW_UP
+                alive[lane] = False
+                freeze(lanes, lane, plain, longest)

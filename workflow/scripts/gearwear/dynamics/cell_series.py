@@ -1,0 +1,99 @@
+"""Power series of the linear motion inside one cell of the forcing period.
+
+On a branch the oscillator is linear. About the middle of a cell of half width H, in s = (t - t_middle) / H from -1
+to 1,
+
+    x(s) = P(s) x_m + Q(s) v_m + R_F(s) + side R_b(s),
+
+(x_m, v_m) the state that the branch has in the middle, side 1, 0, -1 the branch (contact, free, contact on the back
+flank). P and Q solve the homogeneous equation, R_F answers the external force and R_b the shift k b of the contact.
+"""
+
+import math
+
+from gearwear.dynamics.compiled import njit
+
+DEGREE = 14
+TERMS = 16  # coefficients kept, the last one zero: a multiple of the width of vector registers
+P, Q, R_FORCE, R_CLEARANCE = range(4)
+
+
+@njit
+def add_wave(series, start, cosine, sine, angle, turn):
+    """Add the Taylor coefficients of cosine cos(angle + turn s) + sine sin(angle + turn s) to series[start:]."""
+    c, s = math.cos(angle), math.sin(angle)
+    even, odd = cosine * c + sine * s, sine * c - cosine * s
+    power = 1.0
+    for n in range(DEGREE + 1):
+        series[start + n] += (even if n % 2 == 0 else odd) * power
+        power *= turn / (n + 1)
+        if n % 2 == 1:
+            power = -power
+
+
+@njit
+def fundamental_series(waves, in_contact, half_width, friction, stiffness, force, shift):
+    """Write the coefficients of P, Q, R_F, R_b, four a power, of a cell.
+
+    Power series of x'' + c x' + k x = F + side k b, term by term: with H the half width,
+    (j + 1)(j + 2) x_{j+2} = H^2 (G_j - sum_i k_i x_{j-i}) - c H (j + 1) x_{j+1}.
+
+    Parameters
+    ----------
+    waves : (4 TERMS,) where they go
+    in_contact : False without contact, k = 0
+    stiffness, force, shift : (TERMS,) Taylor coefficients in s of k, F and k b
+    """
+    square, damping = half_width * half_width, friction * half_width
+    for n in range(4 * TERMS):
+        waves[n] = 0.0
+    waves[P] = 1.0
+    waves[4 + Q] = half_width
+    for j in range(DEGREE - 1):
+        p, q, f, b = 0.0, 0.0, force[j], 0.0
+        if in_contact:
+            b = shift[j]
+            for i in range(j + 1):
+                at = 4 * (j - i)
+                p -= stiffness[i] * waves[at + P]
+                q -= stiffness[i] * waves[at + Q]
+                f -= stiffness[i] * waves[at + R_FORCE]
+                b -= stiffness[i] * waves[at + R_CLEARANCE]
+        before, after = 4 * (j + 1), 4 * (j + 2)
+        share, drag = 1.0 / ((j + 1) * (j + 2)), damping * (j + 1)
+        waves[after + P] = (square * p - drag * waves[before + P]) * share
+        waves[after + Q] = (square * q - drag * waves[before + Q]) * share
+        waves[after + R_FORCE] = (square * f - drag * waves[before + R_FORCE]) * share
+        waves[after + R_CLEARANCE] = (square * b - drag * waves[before + R_CLEARANCE]) * share
+
+
+@njit
+def product_series(first, second, result):
+    """Taylor coefficients, up to the degree kept, of the product of two series."""
+    for n in range(DEGREE + 1):
+        total = 0.0
+        for i in range(n + 1):
+            total += first[i] * second[n - i]
+        result[n] = total
+
+
+@njit
+def value_at_end(series, start, stride, sign):
+    """Sum of a series at s = sign (-1 or 1), and of its slope; the smallest terms first."""
+    value, slope = 0.0, 0.0
+    for n in range(DEGREE, -1, -1):
+        term = series[start + stride * n]
+        if n % 2 == 1:
+            term *= sign
+        value += term
+        slope += sign * n * term
+    return value, slope
+
+
+@njit
+def fourth_derivative_bound(series, start, stride):
+    """Bound of the fourth derivative over s in [-1, 1]: the sum of the moduli of its coefficients."""
+    bound = 0.0
+    for n in range(4, DEGREE + 1):
+        bound += n * (n - 1) * (n - 2) * (n - 3) * abs(series[start + stride * n])
+    return bound

@@ -1,0 +1,110 @@
+"""Motion of many oscillators over whole forcing periods: what motion.strobe does, point by point, in one call."""
+
+import numpy as np
+
+from gearwear.dynamics.affine_batch import count_all, run_many
+from gearwear.dynamics.motion import AUTOMATIC, GENERAL, RECORDS, Strobe, check_request, collected, strobe
+from gearwear.dynamics.oscillator import Oscillator
+
+LONGEST_TABLE = 1024  # cells: longer tables of sixteen lanes would take too much memory
+
+
+def strobe_many(
+    oscillators: list[Oscillator],
+    states,
+    periods: int,
+    first_period: int = 0,
+    tolerance: float = 1e-10,
+    tangent=(1.0, 0.0),
+    detail: int = RECORDS,
+    backend: str = AUTOMATIC,
+) -> Strobe:
+    """Run many oscillators, each from its own state at mesh phase 0.
+
+    Every point is that of motion.strobe to the last bit, whatever the other points are.
+
+    Parameters
+    ----------
+    oscillators : one a point; for many states of one oscillator repeat it
+    states : (points, 2) or (2,) displacement and velocity
+    tangent : (points, 2) or (2,)
+    periods, first_period, tolerance, detail, backend : as in motion.strobe
+
+    Returns
+    -------
+    Strobe
+        Every array, and ``status``, with a leading axis of points.
+
+    Raises
+    ------
+    ValueError
+        As motion.strobe.
+    """
+    points = len(oscillators)
+    starts, directions = _pairs(states, points, "state"), _pairs(tangent, points, "tangent")
+    if points == 0:
+        raise ValueError("oscillators: the list is empty; give at least one")
+    for direction in directions if np.ndim(tangent) > 1 else directions[:1]:
+        check_request(direction, periods, first_period, tolerance, detail, backend)
+    single = np.array([backend == GENERAL or o.has_second_frequency for o in oscillators], dtype=bool)
+    together = np.flatnonzero(~single)
+    parts = []
+    if together.size:
+        stacked = _stack([oscillators[p] for p in together])
+        counts = count_all(*stacked)
+        if counts.max() > LONGEST_TABLE:
+            single[together[counts > LONGEST_TABLE]] = True
+            together = np.flatnonzero(~single)
+            stacked = _stack([oscillators[p] for p in together]) if together.size else stacked
+            counts = counts[counts <= LONGEST_TABLE]
+    if together.size:
+        chosen = [oscillators[p] for p in together]
+        parts.append((together, _run(chosen, stacked, counts, starts[together], directions[together], periods, detail)))
+    for p in np.flatnonzero(single):
+        run = strobe(
+            oscillators[p], starts[p], periods, first_period, tolerance, directions[p], detail=detail, backend=backend
+        )
+        parts.append((np.array([p]), Strobe(*(value if value is None else np.array([value]) for value in run))))
+    return _merged(parts, points)
+
+
+def _merged(parts, points: int) -> Strobe:
+    if len(parts) == 1 and len(parts[0][0]) == points:
+        return parts[0][1]
+    fields = []
+    for values in zip(*(part for _, part in parts), strict=True):
+        whole = None
+        if values[0] is not None:
+            whole = np.empty((points, *values[0].shape[1:]), dtype=values[0].dtype)
+            for (chosen, _), value in zip(parts, values, strict=True):
+                whole[chosen] = value
+        fields.append(whole)
+    return Strobe(*fields)
+
+
+def _run(oscillators, stacked, counts, starts, directions, periods, detail):
+    order = np.argsort(counts, kind="stable")
+    shared = [False] + [oscillators[a] is oscillators[b] for a, b in zip(order[1:], order[:-1], strict=True)]
+    states, maps, growth, records, status = run_many(
+        *stacked, np.array(shared), order, counts, starts, directions, int(periods), detail
+    )
+    period = 2 * np.pi / stacked[0][:, :1]
+    return collected(period, states, maps, growth, records, directions, status, detail)
+
+
+def _stack(oscillators):
+    parts = [oscillator.coefficients for oscillator in oscillators]
+    rows = max(part.harmonics.shape[0] for part in parts)
+    harmonics = np.zeros((len(parts), rows, 6))
+    for p, part in enumerate(parts):
+        harmonics[p, : part.harmonics.shape[0]] = part.harmonics
+    places = np.cumsum([0] + [len(part.cells) for part in parts])
+    cells = np.concatenate([part.cells for part in parts])
+    return np.array([part.constants for part in parts], dtype=float), harmonics, cells, places
+
+
+def _pairs(values, points: int, name: str) -> np.ndarray:
+    pairs = np.array(values, dtype=float)
+    if pairs.shape not in ((2,), (points, 2)) or not np.all(np.isfinite(pairs)):
+        raise ValueError(f"{name}: must be two finite numbers, or ({points}, 2) of them, one pair a point")
+    return np.array(np.broadcast_to(pairs, (points, 2)))
