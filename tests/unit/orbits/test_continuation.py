@@ -5,6 +5,8 @@ import math
 import numpy as np
 import pytest
 
+from gearwear.dynamics.oscillator import Oscillator
+from gearwear.dynamics.periodic import Harmonics
 from gearwear.orbits.branches import follow
 from gearwear.orbits.codes import CLOSED, FOLD, HALVED, NODE_LIMIT, NONE, PERIOD_DOUBLING, RANGE_END, STOPPED, TORUS
 from gearwear.orbits.continuation import Limits
@@ -137,3 +139,18 @@ def test_bad_limits_are_refused(henon, limits, words):
     orbit = Orbit(0.2, 1, np.array([[0.9, 0.27]]), np.eye(2))
     with pytest.raises(ValueError, match=words):
         follow(henon, orbit, limits)
+
+
+def test_a_branch_goes_through_a_grazing_contact():
+    """Constant stiffness: the linear orbit grazes the backlash at a frequency in closed form, 0.8206311, and bends."""
+    error = Harmonics(0.0, (0.05,), (0.0,))
+    family = return_maps(lambda w: Oscillator(w, 0.05, 0.1, Harmonics(1.0), error))
+    branch = branch_from(family, 0.75, (1.16, 0.0), 1, Limits(0.7, 1.5))
+    assert branch.start.reason == branch.end.reason == RANGE_END
+    values = np.array([node.orbit.value for node in branch.nodes])
+    period = 2 * math.pi / values
+    linear = 2 * np.exp(-0.05 * period) * np.cos(math.sqrt(1 - 0.05**2) * period)
+    found = np.array([np.trace(node.orbit.matrix) for node in branch.nodes])
+    lost = np.flatnonzero(abs(found - linear) > 1e-6)[0]
+    assert 0.8206311 - 0.01 < values[lost - 1] < 0.8206312 and values[lost] > values[lost - 1]
+    assert [kind for kind, _ in specials(branch)] == [FOLD, FOLD]

@@ -18,6 +18,7 @@ _FIRST_STEP = 0.1  # of the largest
 _LEAST_COSINE = 0.96  # between neighbouring tangents, 16 degrees
 _FARTHEST_FROM_GUESS = 0.5  # of the step
 _LARGEST_CHANGE = 0.4  # of the trace, over 1 + its modulus, in one step: two special points do not go unseen
+_COLLAPSE = 0.1  # of the gap between states half a period apart, in one step
 _TOWARDS_HALF = 0.35  # of the gap, towards an orbit of half the period: a branch point, singular itself
 _NEAR_HALF = 0.25  # of the largest step: a gap from which that orbit is found directly
 _FEW, _MANY = 5, 8  # Newton steps, the check included, after which the next step grows or shrinks
@@ -81,12 +82,12 @@ def walk(curve: Curve, start: Point, forward: np.ndarray, limits: Limits, new: b
         tangent = curve.tangent(here, slope, forward)
     step = _FIRST_STEP * limits.largest_step
     while len(nodes) < limits.most_nodes:
-        trial = curve.correct(here.place + step * tangent, tangent, slope)
+        trial = curve.correct(here.place + step * tangent, tangent, slope, step)
         if trial.point is not None and not 0.0 <= trial.point.place[2] <= 1.0:
             trial = _at_bound(curve, here, trial.point, slope)
         reached, trouble, found = trial.point, trial.trouble, None
         if reached is not None:
-            new_slope, trouble = curve.slope(reached.place)
+            new_slope, trouble = curve.slope(reached.place, step)
         if not trouble:
             new_tangent = curve.tangent(reached, new_slope, tangent)
             trouble = _objection(here, reached, step, tangent, new_tangent, new=new and not nodes)
@@ -98,6 +99,8 @@ def walk(curve: Curve, start: Point, forward: np.ndarray, limits: Limits, new: b
             step /= 2
             if step < limits.smallest_step:
                 return nodes, ends.stopped(here.orbit, trouble)
+            if slope is not None:
+                slope, tangent = _refined(curve, here, step, slope, tangent)
             continue
         nodes += [*found, *(Node(point.orbit, NONE) for point in points)]
         if end is not None:
@@ -110,6 +113,12 @@ def walk(curve: Curve, start: Point, forward: np.ndarray, limits: Limits, new: b
             step = min(step, _TOWARDS_HALF * ends.gap(reached.orbit))
         here, slope, tangent = reached, new_slope, new_tangent
     return nodes, ends.at_limit(here.orbit, limits.most_nodes)
+
+
+def _refined(curve: Curve, here: Point, step: float, slope: np.ndarray, tangent: np.ndarray):
+    """Return slope and tangent at a point for a short step from it."""
+    finer, trouble = curve.slope(here.place, step)
+    return (slope, tangent) if trouble else (finer, curve.tangent(here, finer, tangent))
 
 
 def _at_bound(curve: Curve, here: Point, reached: Point, slope):
@@ -131,6 +140,8 @@ def _objection(here: Point, reached: Point, step: float, tangent, new_tangent, n
         return "the branch is lost"
     if new:
         return "the new branch is lost" if ends.gap(reached.orbit) < 0.1 * step else ""
+    if ends.gap(reached.orbit) < _COLLAPSE * ends.gap(here.orbit):
+        return "the step leads to an orbit of half the period"
     if new_tangent @ tangent < _LEAST_COSINE:
         return "the branch has a kink"
     before, after = np.trace(here.orbit.matrix), np.trace(reached.orbit.matrix)

@@ -16,12 +16,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwear.orbits.newton import ACCURACY, Orbit, orbit_of
+from gearwear.orbits.newton import Orbit, has_settled, orbit_of
 from gearwear.orbits.return_map import LOST, Family
 
 _MOST_STEPS = 12
 _SLOW = 0.1  # ratio of two corrections above which the derivative by the parameter is taken anew
-_DIFFERENCE = 1e-5  # of the range
+_DIFFERENCE, _LEAST_DIFFERENCE = 1e-5, 1e-9  # of the range
+_SHARE_OF_STEP = 0.1
+_LARGEST_CHANGE = 1e-3  # of the state by a difference: unstable orbits of long period are very sensitive
 ALONG_PARAMETER = np.array([0.0, 0.0, 1.0])
 
 
@@ -62,20 +64,26 @@ class Curve:
         share = (orbit.value - self.first) / (self.last - self.first)
         return Point(np.array([*orbit.section[0], share]), orbit)
 
-    def slope(self, place: np.ndarray) -> tuple[np.ndarray | None, str]:
+    def slope(self, place: np.ndarray, reach: float = np.inf) -> tuple[np.ndarray | None, str]:
         """Return the derivative of the map, (2,), by the share of the parameter or, without one, why.
 
-        No value outside the range is tried.
+        The difference taken is small beside the `reach` of a step: no grazing contact that the step does not meet
+        spoils it. No value outside the range is tried.
         """
-        middle = min(max(place[2], _DIFFERENCE), 1 - _DIFFERENCE)
-        try:
-            low, high = (
-                self.family(self.value(share), self.period)(place[:2]).section[-1]
-                for share in (middle - _DIFFERENCE, middle + _DIFFERENCE)
-            )
-        except ValueError as error:
-            return None, str(error)
-        slope = (high - low) / (2 * _DIFFERENCE)
+        difference, change = max(min(_DIFFERENCE, _SHARE_OF_STEP * reach), _LEAST_DIFFERENCE), np.full(2, np.inf)
+        while np.abs(change).max() > _LARGEST_CHANGE and difference >= _LEAST_DIFFERENCE:
+            if np.isfinite(change).all():
+                difference *= 0.5 * _LARGEST_CHANGE / np.abs(change).max()
+            middle = min(max(place[2], difference), 1 - difference)
+            try:
+                low, high = (
+                    self.family(self.value(share), self.period)(place[:2]).section[-1]
+                    for share in (middle - difference, middle + difference)
+                )
+            except ValueError as error:
+                return None, str(error)
+            change = high - low
+        slope = change / (2 * difference)
         return (slope, "") if np.isfinite(slope).all() else (None, LOST)
 
     def tangent(self, point: Point, slope: np.ndarray, forward: np.ndarray) -> np.ndarray:
@@ -83,7 +91,9 @@ class Curve:
         tangent = np.linalg.svd(np.column_stack([point.orbit.matrix - np.eye(2), slope]))[2][2]
         return -tangent if tangent @ forward < 0 else tangent
 
-    def correct(self, guess: np.ndarray, normal: np.ndarray, slope: np.ndarray | None = None) -> Trial:
+    def correct(
+        self, guess: np.ndarray, normal: np.ndarray, slope: np.ndarray | None = None, reach: float = np.inf
+    ) -> Trial:
         """Return the point of the branch in the plane through a guess, by Newton's method.
 
         Parameters
@@ -91,8 +101,9 @@ class Curve:
         guess : (3,) place.
         normal : (3,) of the plane.
         slope : derivative by the share near the guess; taken anew if None or where the convergence is slow.
+        reach : length of the step that led to the guess.
         """
-        place, last = np.array(guess), np.inf
+        place, last, settled = np.array(guess), np.inf, False
         for steps in range(1, _MOST_STEPS + 1):
             try:
                 passage = self.family(self.value(place[2]), self.period)(place[:2])
@@ -100,10 +111,10 @@ class Curve:
                 return Trial(None, str(error), steps)
             if not np.isfinite(passage.matrix).all():
                 return Trial(None, LOST, steps)
-            if last <= ACCURACY:
+            if settled:
                 return Trial(Point(place, orbit_of(self.value(place[2]), passage)), "", steps)
             if slope is None:
-                slope, trouble = self.slope(place)
+                slope, trouble = self.slope(place, reach)
                 if trouble:
                     return Trial(None, trouble, steps)
             matrix = np.vstack([np.column_stack([passage.matrix - np.eye(2), slope]), normal])
@@ -113,7 +124,8 @@ class Curve:
             except np.linalg.LinAlgError:
                 return Trial(None, "two branches meet", steps)
             size = np.abs(correction).max()
-            if size > 2 * last:
+            settled = has_settled(size, last)
+            if size > 2 * last and not settled:
                 break
             slope = None if size > _SLOW * last else slope
             place, last = place + correction, size

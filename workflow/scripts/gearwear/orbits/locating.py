@@ -27,17 +27,18 @@ def locate(curve: Curve, before: Point, after: Point, function: Callable[[Orbit]
     is found to 1e-10 as far as the integrator allows.
     """
     chord = after.place - before.place
+    length = np.linalg.norm(chord)
     known = {0.0: before, 1.0: after}
 
     def at(share: float) -> float:
         if share not in known:
-            trial = curve.correct(before.place + share * chord, chord / np.linalg.norm(chord))
+            trial = curve.correct(before.place + share * chord, chord / length, reach=length)
             if trial.point is None:
                 raise _Lost
             known[share] = trial.point
         return function(known[share].orbit)
 
-    accuracy = _PARAMETER_ACCURACY / max(abs(curve.last - curve.first), 1.0) / max(np.linalg.norm(chord), 1e-3)
+    accuracy = _PARAMETER_ACCURACY / max(abs(curve.last - curve.first), 1.0) / max(length, 1e-3)
     try:
         root = brentq(at, 0.0, 1.0, xtol=accuracy, maxiter=_MOST_STEPS, disp=False)
         at(root)

@@ -16,6 +16,7 @@ REASON_WORDS = {
     SINGULAR: "a multiplier is 1: the orbit is not isolated or at a fold",
 }
 ACCURACY = 1e-10
+_ROUGHNESS = 1e-8  # corrections below it that shrink no more are errors of the integrator
 _MOST_STEPS = 40
 _MOST_HALVINGS = 12
 _SAME_POINT = 1e-6
@@ -99,20 +100,26 @@ def periodic_orbit(family: Family, value: float, state, period: int, accuracy: f
             full = np.linalg.solve(np.eye(2) - passage.matrix, residual)
         except np.linalg.LinAlgError:
             return Attempt(None, SINGULAR, tuple(corrections))
+        done = has_settled(np.abs(full).max(), corrections[-1] if corrections else np.inf, accuracy)
         share = 1.0
         for _ in range(_MOST_HALVINGS):
             tried = return_map(state + share * full)
             left = tried.section[-1] - tried.section[0]
-            if np.abs(full).max() <= accuracy or np.hypot(*left) < (1 - 0.1 * share) * np.hypot(*residual):
+            if done or np.hypot(*left) < (1 - 0.1 * share) * np.hypot(*residual):
                 break
             share /= 2
         else:
             return Attempt(None, NOT_CONVERGED, tuple(corrections))
         state, passage = tried.section[0], tried
         corrections.append(float(share * np.abs(full).max()))
-        if np.abs(full).max() <= accuracy:
+        if done:
             return Attempt(orbit_of(value, passage), FOUND, tuple(corrections))
     return Attempt(None, NOT_CONVERGED, tuple(corrections))
+
+
+def has_settled(size: float, last: float, accuracy: float = ACCURACY) -> bool:
+    """Whether a correction of some size ends the iteration, given the one before it."""
+    return bool(size <= accuracy or (size <= _ROUGHNESS and size > 0.5 * last))
 
 
 def orbit_of(value: float, passage: Passage) -> Orbit:
