@@ -3,10 +3,11 @@
 import numpy as np
 
 from gearwear.dynamics.affine_flow import COMPLETED
-from gearwear.dynamics.affine_lanes import run_group
+from gearwear.dynamics.affine_lanes import new_scratch, run_group
 from gearwear.dynamics.affine_table import WIDTH, cell_counts, fill_table
 from gearwear.dynamics.cell_crossing import GROWTH, MAPS, RECORDS
 from gearwear.dynamics.cell_extremes import RECORDS as COLUMNS
+from gearwear.dynamics.cell_series import TERMS
 from gearwear.dynamics.compiled import njit
 from gearwear.dynamics.plain_step import LANES, PLAIN, pack_plain, stand_still
 
@@ -43,7 +44,7 @@ def run_many(constants, harmonics, cells, places, shared, order, counts, starts,
     records = np.full((points, periods if detail == RECORDS else 0, COLUMNS), np.nan)
     status = np.full(points, COMPLETED)
     states[:, 0, :] = starts
-    own, one_slack = np.zeros(LANES, np.int64), np.zeros(3)
+    own, one_slack, scratch = np.zeros(LANES, np.int64), np.zeros(3), np.empty(2 * TERMS)
     group, slack = np.zeros(LANES, np.int64), np.zeros(3 * LANES)
     for begin in range(0, points, LANES):
         own[:] = 0
@@ -60,7 +61,9 @@ def run_many(constants, harmonics, cells, places, shared, order, counts, starts,
                 if lane > 0 and shared[begin + lane]:
                     table[:] = rows[first - longest : first - longest + own[lane]]
                 else:
-                    fill_table(constants[p], harmonics[p], cells[places[p] : places[p + 1]], table, one_slack)
+                    part = cells[places[p] : places[p + 1]]
+                    parts = cell_counts(constants[p], harmonics[p], part)
+                    fill_table(constants[p], harmonics[p], part, parts, scratch, table, one_slack)
                 for k in range(3):
                     slack[k * LANES + lane] = one_slack[k]
                 pack_plain(rows, first, own[lane], plain, lane)
@@ -74,6 +77,7 @@ def run_many(constants, harmonics, cells, places, shared, order, counts, starts,
             group,
             periods,
             detail,
+            new_scratch(longest),
             directions,
             states,
             maps,

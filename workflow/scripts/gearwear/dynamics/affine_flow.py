@@ -25,14 +25,14 @@ from gearwear.dynamics.cell_crossing import GROWTH, MAP, MAPS, RECORDS, affine, 
 from gearwear.dynamics.cell_exit import READY
 from gearwear.dynamics.cell_extremes import HIGHEST, IMPACTS, LOWEST, WORK, note_piece
 from gearwear.dynamics.cell_extremes import RECORDS as COLUMNS
-from gearwear.dynamics.compiled import njit
+from gearwear.dynamics.compiled import borrowing, njit
 
 COMPLETED, BLOW_UP, TOO_MANY_STEPS = 0, 1, 2
 LARGEST_DISPLACEMENT = 1e6
 THIRD = 1.0 / 3.0
 
 
-@njit
+@borrowing
 def stays(side, x, v, x1, v1, half, low, high, slack_x, slack_v, slack_1):
     """Whether a cell is passed on one branch for sure: the hull of cell_exit lies between the corners or beyond."""
     q1, q3 = x + 0.5 * half * v, x1 - 0.5 * half * v1
@@ -46,7 +46,7 @@ def stays(side, x, v, x1, v1, half, low, high, slack_x, slack_v, slack_1):
     return (gap1 > 0.0) & (gap2 > slack) & (gap3 > 0.0) & (gap4 > 0.0)
 
 
-@njit
+@borrowing
 def growth_of(direction, a, b, c, d):
     """Logarithm of the growth of a tangent vector under a matrix; the vector is updated and made of length 1."""
     p, q = a * direction[0] + b * direction[1], c * direction[0] + d * direction[1]
@@ -54,6 +54,68 @@ def growth_of(direction, a, b, c, d):
     growth = math.log(size / math.hypot(direction[0], direction[1]))
     direction[0], direction[1] = p / size, q / size
     return growth
+
+
+@borrowing
+def run_period(rows, slack, state, side, index, detail, work, record, stops, visits):
+    """Carry a state through one period; arguments as in run, the number ``index`` of the period.
+
+    ``side`` is the branch before it, for an entry into contact by the last kick. The state and the record (1, COLUMNS) are updated, visits (stops, 2) written.
+
+    Returns
+    -------
+    a, b, c, d, side, status : tangent map of the period, branch at its end
+    """
+    x, v = state[0], state[1]
+    a, b, c, d = 1.0, 0.0, 0.0, 1.0
+    record[0, :] = 0.0
+    record[0, LOWEST], record[0, HIGHEST] = x, x
+    noted = 0
+    for r in range(rows.shape[0]):
+        while noted < stops.size and stops[noted] == r:
+            visits[noted, 0], visits[noted, 1] = x, v
+            noted += 1
+        common = rows[r, COMMON]
+        if common[FRESH] != 0.0:
+            entered = side_at_start(common, x, v)
+            if index + r > 0 and entered != 0.0 and entered != side:
+                record[0, IMPACTS] += 1.0
+            side = entered
+        branch = rows[r, CONTACT if side != 0.0 else FREE]
+        x1, v1 = affine(branch, STEP, side, x, v)
+        if stays(
+            side,
+            x,
+            v,
+            x1,
+            v1,
+            common[HALF_WIDTH],
+            common[CLEARANCE_LOW],
+            common[CLEARANCE_HIGH],
+            slack[0],
+            slack[1],
+            slack[2],
+        ):
+            m0, m1, m2, m3 = branch[STEP], branch[STEP + 1], branch[STEP + 2], branch[STEP + 3]
+            if detail == RECORDS:
+                work[READY] = 0.0
+                middle = affine(branch, INTO, side, x, v)
+                note_piece(common, branch, (side, middle[0], middle[1]), -1.0, x, v, 1.0, x1, v1, work, record, 0)
+        else:
+            x1, v1, side, completed = cross_cell(rows[r], side, x, v, detail, work, record, 0)
+            if not completed:
+                return a, b, c, d, side, BLOW_UP if not abs(x1) < LARGEST_DISPLACEMENT else TOO_MANY_STEPS
+            m0, m1, m2, m3 = work[MAP], work[MAP + 1], work[MAP + 2], work[MAP + 3]
+        a, b, c, d = m0 * a + m1 * c, m0 * b + m1 * d, m2 * a + m3 * c, m2 * b + m3 * d
+        x, v = x1 + common[KICK_X], v1 + common[KICK_V]
+        record[0, LOWEST], record[0, HIGHEST] = min(record[0, LOWEST], x), max(record[0, HIGHEST], x)
+    while noted < stops.size:
+        visits[noted, 0], visits[noted, 1] = x, v
+        noted += 1
+    state[0], state[1] = x, v
+    if not (abs(x) < LARGEST_DISPLACEMENT and abs(v) < LARGEST_DISPLACEMENT):
+        return a, b, c, d, side, BLOW_UP
+    return a, b, c, d, side, COMPLETED
 
 
 @njit
@@ -81,59 +143,15 @@ def run(rows, slack, state, direction, periods, detail, stops):
     growth = np.full(periods, np.nan)
     records = np.full((periods, COLUMNS), np.nan)
     visits = np.full((periods, stops.size, 2), np.nan)
-    work, record = np.zeros(WORK), np.zeros((1, COLUMNS))
-    x, v, side = state[0], state[1], 0.0
-    states[0, 0], states[0, 1] = x, v
+    work, record, last = np.zeros(WORK), np.zeros((1, COLUMNS)), 0.0
+    state = state.copy()
+    states[0] = state
     for i in range(periods):
-        a, b, c, d = 1.0, 0.0, 0.0, 1.0
-        record[0, :] = 0.0
-        record[0, LOWEST], record[0, HIGHEST] = x, x
-        noted = 0
-        for r in range(rows.shape[0]):
-            while noted < stops.size and stops[noted] == r:
-                visits[i, noted, 0], visits[i, noted, 1] = x, v
-                noted += 1
-            common = rows[r, COMMON]
-            if common[FRESH] != 0.0:
-                entered = side_at_start(common, x, v)
-                if i + r > 0 and entered != 0.0 and entered != side:
-                    record[0, IMPACTS] += 1.0
-                side = entered
-            branch = rows[r, CONTACT if side != 0.0 else FREE]
-            x1, v1 = affine(branch, STEP, side, x, v)
-            if stays(
-                side,
-                x,
-                v,
-                x1,
-                v1,
-                common[HALF_WIDTH],
-                common[CLEARANCE_LOW],
-                common[CLEARANCE_HIGH],
-                slack[0],
-                slack[1],
-                slack[2],
-            ):
-                m0, m1, m2, m3 = branch[STEP], branch[STEP + 1], branch[STEP + 2], branch[STEP + 3]
-                if detail == RECORDS:
-                    work[READY] = 0.0
-                    xm, vm = affine(branch, INTO, side, x, v)
-                    note_piece(common, branch, (side, xm, vm), -1.0, x, v, 1.0, x1, v1, work, record, 0)
-            else:
-                x1, v1, side, completed = cross_cell(rows[r], side, x, v, detail, work, record, 0)
-                if not completed:
-                    status = BLOW_UP if not abs(x1) < LARGEST_DISPLACEMENT else TOO_MANY_STEPS
-                    return states, maps, growth, records, visits, status
-                m0, m1, m2, m3 = work[MAP], work[MAP + 1], work[MAP + 2], work[MAP + 3]
-            a, b, c, d = m0 * a + m1 * c, m0 * b + m1 * d, m2 * a + m3 * c, m2 * b + m3 * d
-            x, v = x1 + common[KICK_X], v1 + common[KICK_V]
-            record[0, LOWEST], record[0, HIGHEST] = min(record[0, LOWEST], x), max(record[0, HIGHEST], x)
-        if not (abs(x) < LARGEST_DISPLACEMENT and abs(v) < LARGEST_DISPLACEMENT):
-            return states, maps, growth, records, visits, BLOW_UP
-        while noted < stops.size:
-            visits[i, noted, 0], visits[i, noted, 1] = x, v
-            noted += 1
-        states[i + 1, 0], states[i + 1, 1] = x, v
+        a, b, c, d, last, status = run_period(rows, slack, state, last, i, detail, work, record, stops, visits[i])
+        if status != COMPLETED:
+            visits[i] = np.nan
+            return states, maps, growth, records, visits, status
+        states[i + 1] = state
         if detail >= GROWTH:
             growth[i] = growth_of(direction, a, b, c, d)
         if detail >= MAPS:

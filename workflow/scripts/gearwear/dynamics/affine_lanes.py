@@ -26,7 +26,7 @@ from gearwear.dynamics.cell_crossing import GROWTH, MAP, MAPS, RECORDS, affine, 
 from gearwear.dynamics.cell_exit import READY
 from gearwear.dynamics.cell_extremes import HIGHEST, IMPACTS, LOWEST, WORK, note_piece
 from gearwear.dynamics.cell_extremes import RECORDS as COLUMNS
-from gearwear.dynamics.compiled import njit
+from gearwear.dynamics.compiled import borrowing, njit
 from gearwear.dynamics.plain_step import (
     LANES,
     M0,
@@ -48,7 +48,7 @@ from gearwear.dynamics.plain_step import (
 )
 
 
-@njit
+@borrowing
 def enter_branch(common, lanes, lane, record, counts):
     """Set the branch of a lane from its state at the start of a cell."""
     entered = side_at_start(common, lanes[X * LANES + lane], lanes[V * LANES + lane])
@@ -57,7 +57,7 @@ def enter_branch(common, lanes, lane, record, counts):
     lanes[SIDE * LANES + lane] = entered
 
 
-@njit
+@borrowing
 def cross_lane(cell, lanes, lane, detail, work, record):
     """Carry a lane that may meet a corner through its cell; False if it cannot be carried on."""
     x1, v1, side, completed = cross_cell(
@@ -76,7 +76,7 @@ def cross_lane(cell, lanes, lane, detail, work, record):
     return completed
 
 
-@njit
+@borrowing
 def note_lane(cell, lanes, lane, work, record):
     """Take a plain step of a lane into the record of its period."""
     side, x, v = lanes[SIDE * LANES + lane], lanes[X * LANES + lane], lanes[V * LANES + lane]
@@ -87,7 +87,7 @@ def note_lane(cell, lanes, lane, work, record):
     note_piece(cell[COMMON], branch, (side, xm, vm), -1.0, x, v, 1.0, x1, v1, work, record, lane)
 
 
-@njit
+@borrowing
 def kick_lane(common, lanes, lane, record):
     """Add the kick at the end of a cell, and take the state after it into the record."""
     x = lanes[X1 * LANES + lane] + common[KICK_X]
@@ -95,7 +95,7 @@ def kick_lane(common, lanes, lane, record):
     record[lane, LOWEST], record[lane, HIGHEST] = min(record[lane, LOWEST], x), max(record[lane, HIGHEST], x)
 
 
-@njit
+@borrowing
 def freeze(lanes, lane, plain, cells):
     """Let a lane stand still for good."""
     for n in range(cells):
@@ -103,7 +103,7 @@ def freeze(lanes, lane, plain, cells):
     lanes[X * LANES + lane] = lanes[V * LANES + lane] = lanes[SIDE * LANES + lane] = 0.0
 
 
-@njit
+@borrowing
 def end_period(lanes, lane, i, detail, directions, states, maps, growth, record, records):
     """Store what a lane did in period i; False if it blew up."""
     x, v = lanes[X * LANES + lane], lanes[V * LANES + lane]
@@ -117,12 +117,27 @@ def end_period(lanes, lane, i, detail, directions, states, maps, growth, record,
         if detail >= MAPS:
             maps[i, 0, 0], maps[i, 0, 1], maps[i, 1, 0], maps[i, 1, 1] = a, b, c, d
         if detail == RECORDS:
-            records[i] = record[lane]
+            for column in range(COLUMNS):
+                records[i, column] = record[lane, column]
     return True
 
 
 @njit
-def run_group(rows, counts, plain, slack, group, periods, detail, directions, states, maps, growth, records, status):
+def new_scratch(longest):
+    """Working arrays of a group whose longest table has so many cells."""
+    return (
+        np.zeros(PLACES * LANES),
+        np.zeros(WORK),
+        np.zeros((LANES, COLUMNS)),
+        np.zeros(LANES, np.bool_),
+        np.zeros(longest, np.bool_),
+    )
+
+
+@borrowing
+def run_group(
+    rows, counts, plain, slack, group, periods, detail, scratch, directions, states, maps, growth, records, status
+):
     """Run whole periods of up to sixteen oscillators; arguments and results as affine_flow.run, with an axis of points.
 
     Parameters
@@ -131,12 +146,14 @@ def run_group(rows, counts, plain, slack, group, periods, detail, directions, st
     counts : (LANES,) number of cells, 0 for a lane without a point
     plain, slack : as from pack_plain, and (3 LANES,)
     group : (LANES,) number of the point of every lane
+    scratch : arrays of the sizes of new_scratch
     """
-    longest = counts.max()
-    lanes, work, record = np.zeros(PLACES * LANES), np.zeros(WORK), np.zeros((LANES, COLUMNS))
-    alive = counts > 0
-    kicked = np.zeros(longest, np.bool_)
+    lanes, work, record, alive, kicked = scratch
+    longest = kicked.size
+    lanes[:] = 0.0
+    kicked[:] = False
     for lane in range(LANES):
+        alive[lane] = counts[lane] > 0
         if alive[lane]:
             lanes[X * LANES + lane], lanes[V * LANES + lane] = states[group[lane], 0, 0], states[group[lane], 0, 1]
             for n in range(counts[lane]):

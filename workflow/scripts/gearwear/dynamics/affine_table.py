@@ -23,7 +23,7 @@ from gearwear.dynamics.cell_series import (
     product_series,
     value_at_end,
 )
-from gearwear.dynamics.compiled import njit
+from gearwear.dynamics.compiled import borrowing, njit
 from gearwear.dynamics.oscillator import Coefficients, Oscillator
 
 LONGEST_CELL = 0.5
@@ -68,9 +68,9 @@ def affine_table(oscillator: Oscillator, phases: tuple[float, ...] = ()) -> Affi
     coefficients = arrays(oscillator)
     if phases:
         coefficients = coefficients._replace(cells=cut_cells(coefficients.cells, phases, oscillator.period))
-    rows = np.zeros((cell_counts(*coefficients).sum(), 3, WIDTH))
-    slack = np.zeros(3)
-    fill_table(*coefficients, rows, slack)
+    counts = cell_counts(*coefficients)
+    rows, slack = np.zeros((counts.sum(), 3, WIDTH)), np.zeros(3)
+    fill_table(*coefficients, counts, np.empty(2 * TERMS), rows, slack)
     return AffineTable(rows, slack)
 
 
@@ -108,13 +108,13 @@ def cell_counts(constants, harmonics, cells):
     return counts
 
 
-@njit
-def fill_table(constants, harmonics, cells, rows, slack):
-    """Write the rows, as many as the sum of cell_counts, and the slack of a table."""
+@borrowing
+def fill_table(constants, harmonics, cells, counts, scratch, rows, slack):
+    """Write the rows, as many as the sum of the counts of cell_counts, and the slack; scratch has 2 TERMS places."""
     frequency = constants[0]
     period = 2.0 * math.pi / frequency
-    counts = cell_counts(constants, harmonics, cells)
-    waves, force, shift = np.zeros(4 * TERMS), np.zeros(TERMS), np.zeros(TERMS)
+    force, shift = scratch[:TERMS], scratch[TERMS:]
+    scratch[:] = 0.0
     slack[:] = 0.0
     r = 0
     for n in range(cells.shape[0]):
@@ -139,14 +139,13 @@ def fill_table(constants, harmonics, cells, rows, slack):
             product_series(row[STIFFNESS:], row[CLEARANCE:], shift)
             for place in (FREE, CONTACT):
                 branch = rows[r, place]
-                fundamental_series(waves, place == CONTACT, half, constants[1], row[STIFFNESS:], force, shift)
-                branch[WAVES:] = waves
+                fundamental_series(branch[WAVES:], place == CONTACT, half, constants[1], row[STIFFNESS:], force, shift)
                 finish_maps(branch, row[RATE], row[CLEARANCE_BEND], slack)
             row[FORCE_START] = value_at_end(force, 0, 1, -1.0)[0]
             r += 1
 
 
-@njit
+@borrowing
 def load_series(constants, harmonics, middle, half, row, force):
     """Add the fluctuations of stiffness, force and clearance to their series about a mesh phase."""
     frequency, amplitude, ratio, shift = constants[0], constants[4], constants[5], constants[6]
@@ -163,7 +162,7 @@ def load_series(constants, harmonics, middle, half, row, force):
         add_wave(force, 0, amplitude, 0.0, angle, ratio * frequency * half)
 
 
-@njit
+@borrowing
 def finish_clearance(row):
     """Ends, bounds and curvature of the clearance, and a bound of the stiffness, from their series."""
     rate = row[RATE]
@@ -183,7 +182,7 @@ def finish_clearance(row):
     row[STIFFNESS_HIGH] = total
 
 
-@njit
+@borrowing
 def finish_maps(row, rate, clearance_bend, slack):
     """The three affine maps of a branch from its series, and the bounds of its fourth derivative.
 

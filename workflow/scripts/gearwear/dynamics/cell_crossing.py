@@ -23,14 +23,14 @@ from gearwear.dynamics.affine_table import (
 from gearwear.dynamics.cell_exit import READY, clearance_at, first_exit
 from gearwear.dynamics.cell_extremes import IMPACTS, note_piece
 from gearwear.dynamics.cell_series import DEGREE
-from gearwear.dynamics.compiled import njit
+from gearwear.dynamics.compiled import borrowing
 
 STATES, GROWTH, MAPS, RECORDS = range(4)
 MAP = 49  # place in the work array, after those of cell_exit, of the cell's tangent map
 MOST_CROSSINGS = 200
 
 
-@njit
+@borrowing
 def affine(branch, start, side, x, v):
     """A map of the row of a branch: see affine_table.finish_maps."""
     return (
@@ -39,7 +39,7 @@ def affine(branch, start, side, x, v):
     )
 
 
-@njit
+@borrowing
 def fundamental_at(branch, rate, s):
     """P, Q, R_F, R_b of a branch at s, and their derivatives by time."""
     p, q, f, b = branch[WAVES], branch[WAVES + 1], branch[WAVES + 2], branch[WAVES + 3]
@@ -60,7 +60,7 @@ def fundamental_at(branch, rate, s):
     return p, q, f, b, dp * rate, dq * rate, df * rate, db * rate
 
 
-@njit
+@borrowing
 def side_at_start(common, x, v):
     """Branch of a state at the start of a cell: by position, on the corner by velocity, at rest by acceleration."""
     side = 1.0 if x >= 0.0 else -1.0
@@ -72,7 +72,7 @@ def side_at_start(common, x, v):
     return side if gap > 0.0 else 0.0
 
 
-@njit
+@borrowing
 def exit_of_branch(common, branch, middle, low, x, v, x1, v1, work):
     """First departure from a branch between s = low and the end of a cell, from the states at both ends.
 
@@ -100,7 +100,7 @@ def exit_of_branch(common, branch, middle, low, x, v, x1, v1, work):
     return left, at, rate
 
 
-@njit
+@borrowing
 def cross_cell(cell, side, x, v, detail, work, record, lane):
     """Carry a state through a cell.
 

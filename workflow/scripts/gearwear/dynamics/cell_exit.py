@@ -12,7 +12,7 @@ from gearwear.dynamics.affine_table import (
     WAVES,
 )
 from gearwear.dynamics.cell_series import DEGREE, TERMS
-from gearwear.dynamics.compiled import njit
+from gearwear.dynamics.compiled import borrowing
 
 # Places in the work array: series of x, of dx/ds and of d2x/ds2, and whether they are up to date.
 MOTION, SLOPE, CURVE, READY = 0, 16, 32, 48
@@ -22,7 +22,7 @@ MOST_PIECES = 400
 NONE, CROSSES, UNDECIDED = 0, 1, 2
 
 
-@njit
+@borrowing
 def set_motion(branch, middle, work):
     """Write the series of the motion on a branch that passes through (side, x, v) in the middle of its cell."""
     side, x, v = middle
@@ -36,7 +36,7 @@ def set_motion(branch, middle, work):
     work[READY] = 1.0
 
 
-@njit
+@borrowing
 def series_at(work, start, s):
     """Value of a series of TERMS coefficients; four interleaved Horner schemes in s^4."""
     square = s * s
@@ -48,7 +48,7 @@ def series_at(work, start, s):
     return (a + s * b) + square * (c + s * d)
 
 
-@njit
+@borrowing
 def clearance_at(common, s):
     """Clearance b inside a cell, and its first and second derivative by s."""
     b, slope, curve = common[CLEARANCE], 0.0, 0.0
@@ -61,7 +61,7 @@ def clearance_at(common, s):
     return b, slope, curve
 
 
-@njit
+@borrowing
 def margin_at(common, work, inward, corner, s):
     """Margin to the corner at corner b, its slope and its curvature by s."""
     b, slope, curve = clearance_at(common, s)
@@ -72,7 +72,7 @@ def margin_at(common, work, inward, corner, s):
     )
 
 
-@njit
+@borrowing
 def hull_verdict(length, m0, d0, m1, d1, bend):
     """Whether a margin, not negative at first, crosses zero in a piece: NONE, CROSSES (once) or UNDECIDED.
 
@@ -91,7 +91,7 @@ def hull_verdict(length, m0, d0, m1, d1, bend):
     return UNDECIDED
 
 
-@njit
+@borrowing
 def first_guess(m0, d0, m1, d1):
     """Approximate root in [0, 1] of a margin that falls below zero, from values and slopes at 0 and 1."""
     if d0 < 0.0:
@@ -109,7 +109,7 @@ def first_guess(m0, d0, m1, d1):
     return u
 
 
-@njit
+@borrowing
 def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
     """Root of the margin in [low, high], where it falls below zero, and its slope there.
 
@@ -140,7 +140,7 @@ def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
     return s, d
 
 
-@njit
+@borrowing
 def first_exit(common, branch, middle, work, inward, corner, low, m0, d0, m_end, d_end, bend):
     """First departure of a branch through one corner between s = low and 1: (found, s, slope of the margin there).
 

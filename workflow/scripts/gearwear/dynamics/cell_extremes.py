@@ -14,7 +14,7 @@ from gearwear.dynamics.affine_table import (
 )
 from gearwear.dynamics.cell_exit import MOTION, READY, SIXTH, series_at, set_motion
 from gearwear.dynamics.cell_series import DEGREE, TERMS, fourth_derivative_bound
-from gearwear.dynamics.compiled import njit
+from gearwear.dynamics.compiled import borrowing
 
 LOWEST, HIGHEST, FORCE, LOST, IMPACTS = range(5)
 RECORDS = 5
@@ -24,7 +24,7 @@ WORK = 112
 MOST_PIECES = 60
 
 
-@njit
+@borrowing
 def hull_top(length, f0, d0, f1, d1, bend):
     """Upper bound of a function over a piece; ``bend`` as in cell_exit.hull_verdict."""
     half = 0.5 * length
@@ -33,7 +33,7 @@ def hull_top(length, f0, d0, f1, d1, bend):
     return max(max(f0, f1), max(q2, max(q1, q3)))
 
 
-@njit
+@borrowing
 def turns_down_once(length, f0, d0, f1, d1, bend):
     """Whether the hull has its slopes first up, then down, with one change of sign."""
     half = 0.5 * length
@@ -43,7 +43,7 @@ def turns_down_once(length, f0, d0, f1, d1, bend):
     return d0 > 0.0 > d1 and (q2 - bend >= q1 or q3 <= q2 - bend) and (q2 + bend <= q1 or q3 >= q2 + bend or q3 <= q2)
 
 
-@njit
+@borrowing
 def top_of_turn(work, start, sign, low, high):
     """Value at the turning point between low, where the function rises, and high, where it falls."""
     s = 0.5 * (low + high)
@@ -62,7 +62,7 @@ def top_of_turn(work, start, sign, low, high):
     return sign * series_at(work, start, s)
 
 
-@njit
+@borrowing
 def highest(work, start, sign, low, f0, d0, end, f_end, d_end, bend, best):
     """Largest value of sign times a series over [low, end], or ``best`` if that is larger."""
     high, f1, d1 = end, f_end, d_end
@@ -88,7 +88,7 @@ def highest(work, start, sign, low, f0, d0, end, f_end, d_end, bend, best):
     return best
 
 
-@njit
+@borrowing
 def set_load(common, side, work):
     """Write the series of the mesh force k (side x - b) and of its derivatives, up to the degree kept."""
     for n in range(TERMS):
@@ -105,7 +105,7 @@ def set_load(common, side, work):
     work[LOAD_CURVE + TERMS - 1] = 0.0
 
 
-@njit
+@borrowing
 def note_piece(common, branch, middle, low, x, v, high, x1, v1, work, record, lane):
     """Take the piece of a motion between s = low and high into the record of its period.
 

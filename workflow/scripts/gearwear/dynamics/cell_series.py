@@ -11,14 +11,14 @@ flank). P and Q solve the homogeneous equation, R_F answers the external force a
 
 import math
 
-from gearwear.dynamics.compiled import njit
+from gearwear.dynamics.compiled import borrowing
 
 DEGREE = 14
 TERMS = 16  # coefficients kept, the last one zero: a multiple of the width of vector registers
 P, Q, R_FORCE, R_CLEARANCE = range(4)
 
 
-@njit
+@borrowing
 def add_wave(series, start, cosine, sine, angle, turn):
     """Add the Taylor coefficients of cosine cos(angle + turn s) + sine sin(angle + turn s) to series[start:]."""
     c, s = math.cos(angle), math.sin(angle)
@@ -31,7 +31,7 @@ def add_wave(series, start, cosine, sine, angle, turn):
             power = -power
 
 
-@njit
+@borrowing
 def fundamental_series(waves, in_contact, half_width, friction, stiffness, force, shift):
     """Write the coefficients of P, Q, R_F, R_b, four a power, of a cell.
 
@@ -67,7 +67,7 @@ def fundamental_series(waves, in_contact, half_width, friction, stiffness, force
         waves[after + R_CLEARANCE] = (square * b - drag * waves[before + R_CLEARANCE]) * share
 
 
-@njit
+@borrowing
 def product_series(first, second, result):
     """Taylor coefficients, up to the degree kept, of the product of two series."""
     for n in range(DEGREE + 1):
@@ -77,7 +77,7 @@ def product_series(first, second, result):
         result[n] = total
 
 
-@njit
+@borrowing
 def value_at_end(series, start, stride, sign):
     """Sum of a series at s = sign (-1 or 1), and of its slope; the smallest terms first."""
     value, slope = 0.0, 0.0
@@ -90,7 +90,7 @@ def value_at_end(series, start, stride, sign):
     return value, slope
 
 
-@njit
+@borrowing
 def fourth_derivative_bound(series, start, stride):
     """Bound of the fourth derivative over s in [-1, 1]: the sum of the moduli of its coefficients."""
     bound = 0.0

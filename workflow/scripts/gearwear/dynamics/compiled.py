@@ -50,3 +50,7 @@ import numba  # noqa: E402  (the cache folder must be set first)
 numba.config.CACHE_DIR = str(CACHE_FOLDER)
 
 njit = functools.partial(numba.njit, cache=True, nogil=True, fastmath=False, error_model="numpy")
+
+# For kernels that allocate nothing: they borrow the arrays of their caller without counting references to them. In
+# small functions the counting, in atomic instructions, would take most of the time.
+borrowing = functools.partial(njit, _nrt=False)

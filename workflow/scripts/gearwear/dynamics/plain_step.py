@@ -12,7 +12,7 @@ from gearwear.dynamics.affine_table import (
     HALF_WIDTH,
     STEP,
 )
-from gearwear.dynamics.compiled import njit
+from gearwear.dynamics.compiled import borrowing
 
 LANES = 16
 # Columns of the plain steps: the map in contact (8), what of the free one is not 1 or 0 (4), half width, clearances.
@@ -21,7 +21,7 @@ FREE_STEP, HALF, LOW, HIGH, PLAIN = 8, 12, 13, 14, 15
 X, V, X1, V1, SIDE, M0, M1, M2, M3, T0, T1, T2, T3, STAYS, PLACES = range(15)
 
 
-@njit
+@borrowing
 def stand_still(plain, n, lane):
     """Make a cell of a lane change nothing."""
     for column in range(PLAIN):
@@ -32,7 +32,7 @@ def stand_still(plain, n, lane):
     plain[n, HIGH * LANES + lane] = -np.inf
 
 
-@njit
+@borrowing
 def pack_plain(rows, first, cells, plain, lane):
     """Copy what a plain step needs of the rows of a lane, the first of them ``first``."""
     for n in range(cells):
@@ -45,7 +45,7 @@ def pack_plain(rows, first, cells, plain, lane):
             plain[n, column * LANES + lane] = rows[r, COMMON, source]
 
 
-@njit
+@borrowing
 def plain_steps(cell, slack, lanes):
     """Step every lane through a cell on its branch; returns 1 if one of them may have met a corner, else 0."""
     doubtful = 0
@@ -83,7 +83,7 @@ def plain_steps(cell, slack, lanes):
     return doubtful
 
 
-@njit
+@borrowing
 def turn_tangents(lanes):
     """Multiply the tangent map of every lane by the map of its cell."""
     for lane in range(LANES):
@@ -95,7 +95,7 @@ def turn_tangents(lanes):
         lanes[T2 * LANES + lane], lanes[T3 * LANES + lane] = m2 * a + m3 * c, m2 * b + m3 * d
 
 
-@njit
+@borrowing
 def take_states(lanes):
     """Make the states after a cell those before the next."""
     for k in range(2 * LANES):
