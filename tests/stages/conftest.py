@@ -19,7 +19,7 @@ STAGES = {
     "temperature": ("heat_contact", ("geometry",)),
     "deformation": ("grow_flanks", ("geometry", "temperature")),
     "start_wear": ("start_wear", ("geometry",)),
-    "mesh_stiffness": ("stiffen_mesh", ("geometry", "deformation", "wear")),
+    "mesh_stiffness": ("build_stiffness", ("geometry", "deformation", "wear")),
     "transmission_error": ("share_load", ("geometry", "deformation", "wear", "mesh_stiffness")),
     "backlash": ("open_backlash", ("geometry", "deformation", "wear", "transmission_error")),
     "response": (

@@ -22,6 +22,29 @@ def load(name):
     return yaml.safe_load((ROOT / "config" / name).read_text(encoding="utf-8"))
 
 
+@pytest.mark.parametrize(
+    "changes, line",
+    [
+        (
+            {"dynamics.harmonics": 32},
+            "grid.mesh_cells: 240 cells do not resolve dynamics.harmonics, 32; give at least 256",
+        ),
+        (
+            {"transmission_error.mode": "no_load"},
+            "dynamics.ste_amplitude: nominal compares with the loaded error of the pristine pair, and "
+            "transmission_error.mode no_load has none; give harmonic",
+        ),
+        (
+            {"elasticity.law": "table", "cases.n0700_t060.bulk_temperature": 15.0, "heat.initial_temperature": 10.0},
+            "cases.n0700_t060.bulk_temperature: 15.0 is outside the table of elasticity.law table, 20 to 260 degC; "
+            "use law li or linear",
+        ),
+    ],
+)
+def test_values_that_do_not_go_together(changes, line):
+    assert problems(changes) == [line]
+
+
 def test_the_shipped_studies_are_valid():
     smoke = load("config.yaml")
     update_config(smoke, load("smoke.yaml"))
@@ -206,6 +229,7 @@ BAD = [
         32,
         "32 is too few to see settling.largest_period, 16, come back in either half; give at least 64 mesh periods",
     ),
+    ("settling.largest_period", 65, "65 is above the largest allowed value 64; give a whole number from 1 to 64"),
     ("friction.boundary", 0.3, "0.3 is above friction.dry, 0.2; lower it or raise friction.dry"),
 ]
 

@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 RULE_OF_FOLDER = {
     "wear": "advance_wear",
-    "mesh_stiffness": "stiffen_mesh",
+    "mesh_stiffness": "build_stiffness",
     "transmission_error": "share_load",
     "backlash": "open_backlash",
     "response": "solve_response",

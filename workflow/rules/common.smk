@@ -2,7 +2,7 @@ from snakemake.exceptions import WorkflowError
 
 from gearwear.plumbing import settings
 from gearwear.plumbing.closure import digest
-from gearwear.plumbing.runlock import RunningAlready, hold
+from gearwear.plumbing.runlock import RunningAlready, hold, only_looks
 from gearwear.plumbing.slices import slice_of
 
 # The wear chain is one path of five jobs a cycle; Snakemake walks it recursively.
@@ -14,19 +14,18 @@ except settings.ConfigError as error:
     raise WorkflowError(str(error))
 
 
+# Before any job is planned: a plan made while another run is at work would be out of date when it ends.
+if workflow.is_main_process and not only_looks(sys.argv[1:]):
+    try:
+        hold()
+    except RunningAlready as error:
+        raise WorkflowError(str(error))
+
+
 wildcard_constraints:
-    case="[a-z][a-z0-9_]*",
+    case="|".join(config["cases"]),
     q=r"\d{3}",
     sweep="mesh_frequency|ste|backlash",
-    number=r"\d{2}",
-
-
-onstart:
-    if workflow.is_main_process:
-        try:
-            hold()
-        except RunningAlready as error:
-            raise WorkflowError(str(error))
 
 
 scattergather:
@@ -37,9 +36,13 @@ def cfg(stage):
     """The settings a stage sees: one plain dict, a function of the wildcards."""
 
     def cut(wildcards):
-        return slice_of(
-            config, stage, wildcards.get("case", ""), wildcards.get("sweep", "")
-        )
+        case, sweep = wildcards.get("case", ""), wildcards.get("sweep", "")
+        try:
+            return slice_of(config, stage, case, sweep)
+        except KeyError as error:
+            raise WorkflowError(
+                f"config: {stage} finds no {error} for case {case}; see config/README.md"
+            ) from None
 
     return cut
 

@@ -17,6 +17,32 @@ def diagonal(pattern):
     ]
 
 
+def judged():
+    """Everything that the claims speak of: the states of figures 6 to 11, the extremes, sweeps, the last responses."""
+    files = ["results/geometry.nc"]
+    for case in dict.fromkeys(
+        [
+            *config["figures"]["diagonal"],
+            "without",
+            "temperature_only",
+            "wear_only",
+            "with",
+        ]
+    ):
+        files += [
+            f"results/{case}/{name}.nc" for name in ("temperature", "deformation")
+        ]
+        for stage in ("wear", "mesh_stiffness", "transmission_error", "backlash"):
+            files += [
+                f"results/{case}/{stage}/q{q}.nc"
+                for q in dict.fromkeys(["000", last(case)])
+            ]
+    files += [f"results/with/wear/q{q:03d}.nc" for q in range(1, int(last("with")))]
+    files += [f"results/{case}/response/q{last(case)}.nc" for case in config["cases"]]
+    files += [f"results/{case}/sweeps/{sweep}.nc" for case, sweep in swept_cases()]
+    return files
+
+
 def drawn_state(case):
     """Name, temperature and cycles of a case: plain values for legends."""
     return {"case": case, "cycle": int(last(case)), **config["cases"][case]}
@@ -44,24 +70,7 @@ def caption(number):
 rule judge_claims:
     input:
         claims=CLAIMS,
-        results=[
-            "results/geometry.nc",
-            *diagonal("results/{case}/temperature.nc"),
-            *diagonal("results/{case}/deformation.nc"),
-            *diagonal("results/{case}/wear/q{q}.nc"),
-            *diagonal("results/{case}/transmission_error/q{q}.nc"),
-            *diagonal("results/{case}/backlash/q{q}.nc"),
-            *diagonal("results/{case}/mesh_stiffness/q000.nc"),
-            *diagonal("results/{case}/mesh_stiffness/q{q}.nc"),
-            *[f"results/with/wear/q{q:03d}.nc" for q in range(int(last("with")))],
-            *[
-                f"results/wear_only/{stage}/q{q}.nc"
-                for stage in ("wear", "mesh_stiffness")
-                for q in ("000", last("wear_only"))
-            ],
-            "results/temperature_only/mesh_stiffness/q000.nc",
-            *[f"results/{case}/sweeps/{sweep}.nc" for case, sweep in swept_cases()],
-        ],
+        results=judged(),
     output:
         "results/claims.csv",
     log:

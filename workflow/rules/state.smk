@@ -96,7 +96,7 @@ rule advance_wear:
         "../scripts/advance_wear.py"
 
 
-rule stiffen_mesh:
+rule build_stiffness:
     input:
         geometry="results/geometry.nc",
         deformation="results/{case}/deformation.nc",
@@ -104,17 +104,17 @@ rule stiffen_mesh:
     output:
         "results/{case}/mesh_stiffness/q{q}.nc",
     log:
-        "results/logs/{case}/stiffen_mesh/q{q}.log",
+        "results/logs/{case}/build_stiffness/q{q}.log",
     benchmark:
-        "results/benchmarks/{case}/stiffen_mesh/q{q}.tsv"
+        "results/benchmarks/{case}/build_stiffness/q{q}.tsv"
     priority: 10
     params:
         cfg=cfg("mesh_stiffness"),
-        code=code("stiffen_mesh.py"),
+        code=code("build_stiffness.py"),
     message:
         "Case {wildcards.case}, cycle {wildcards.q}: computing the mesh stiffness."
     script:
-        "../scripts/stiffen_mesh.py"
+        "../scripts/build_stiffness.py"
 
 
 rule share_load:

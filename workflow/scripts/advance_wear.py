@@ -10,18 +10,21 @@ from gearwear.geometry.kinematics import curvature, mesh_force, surface_speed
 from gearwear.heat.modulus import hot_modulus
 from gearwear.mesh.sharing import share, springs_of
 from gearwear.plumbing import stage, store
-from gearwear.wear.archard import wear_per_revolution
+from gearwear.wear.archard import overshoot, wear_per_revolution
 from gearwear.wear.film import contact_modulus, dynamic_viscosity
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
+
+COARSE, UNSTABLE = 0.45, 0.9  # depth of one block over elastic deflection, see gearwear.wear.archard.overshoot
 
 
 def main(job):
     cfg, geometry, worn = job.params.cfg, store.load(job.input.geometry), store.load(job.input.wear)
     wear, bulk = cfg["wear"], cfg["case"]["bulk_temperature"]
     springs = springs_of(geometry, store.load(job.input.mesh_stiffness))
-    removed = store.load(job.input.transmission_error)["sharing_error"].values
+    transmission = store.load(job.input.transmission_error)
+    removed = transmission["sharing_error"].values
     force = store.load(job.input.response)["mesh_force_path"].values
     if wear["force"] == "quasi_static":
         force = np.full((1, len(removed)), mesh_force(geometry, cfg["operation"]["pinion_torque"]))
@@ -41,7 +44,17 @@ def main(job):
     ).mean(axis=1)
     if wear["gear_cycles"] == "tooth_ratio":
         increment[1] *= float(geometry["teeth"][0] / geometry["teeth"][1])
-    depth = worn["wear_depth"].values + wear["cycles_per_update"] * increment
+    taken = wear["cycles_per_update"] * increment
+    ratio = overshoot(taken.sum(axis=0), transmission["elastic_deflection"].values)
+    if ratio > UNSTABLE:
+        raise ValueError(
+            f"wear.cycles_per_update: {wear['cycles_per_update']:g} revolutions take off {ratio:.2f} of the elastic "
+            f"deflection at one place, the steps overshoot above {UNSTABLE}; give at most "
+            f"{wear['cycles_per_update'] * COARSE / ratio:.2g} (and running_cycles as whole multiples of it)"
+        )
+    if ratio > COARSE:
+        stage.announce(f"warning: one block of cycles takes off {ratio:.2f} of the elastic deflection at one place")
+    depth = worn["wear_depth"].values + taken
     stage.log.info("deepest wear of the pinion %.3f um, of the gear %.3f um", *1e6 * depth.max(axis=1))
     along = ("gear", "path")
     values = {

@@ -26,7 +26,7 @@ def main(job):
     stage.log.info("contact ratio %.4f, equivalent mass %.4f kg", mesh.contact_ratio, mass)
     for i, name in enumerate(GEARS):
         for sentence in fit_warnings(pair.root_radius[i] / pair.bore_radius[i], pair.rack_root_angle[i], name):
-            stage.log.warning("warning: %s", sentence)
+            stage.announce(f"warning: {sentence}")
     values = {"gear": list(GEARS), "moment_of_inertia": ("gear", moments), "equivalent_mass": mass}
     for name, value in pair._asdict().items():
         values[name] = ("gear", value) if np.ndim(value) else value

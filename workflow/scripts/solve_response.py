@@ -30,7 +30,7 @@ def main(job):
     motion = settle(oscillator, rest_state(source, oscillator, dynamics), settling, dynamics["tolerance"])
     stage.log.info("mesh frequency ratio %.4f: %s", ratio, class_name(motion.motion_class))
     if not motion.motion_class:
-        stage.log.warning("warning: the response did not settle; the wear is the mean over the sampled periods")
+        stage.announce(f"warning: {job.output[0]}: the motion did not settle; forces are those of the sampled periods")
     periods = motion.period or settling.sampled_periods
     reached = motion.transient_periods + settling.sampled_periods
     path_phase = geometry["path_phase"].values
@@ -38,8 +38,11 @@ def main(job):
     displacement, velocity = (
         one[:, node] for one in trace(oscillator, end_of(motion), phases, periods, reached, dynamics["tolerance"])
     )
-    # where two pairs meet one, a node of the double zone belongs to the phase just before
-    side = np.where((geometry["partner"].values >= 0) & (path_phase > 0), np.nextafter(path_phase, 0), path_phase)
+    # the last node of a zone belongs to the phase just before the jump of a tabulated stiffness and error, the motion
+    # traced to the phase just after; displacement plus error is continuous
+    last = np.append(np.diff(path_phase) <= 0, True)
+    side = np.where(last, np.nextafter(path_phase, 0), path_phase)
+    displacement = displacement + np.where(last, oscillator.error.jump(path_phase), 0.0)
     force = source.mean_stiffness * source.length * restoring_force(oscillator, side, displacement)
     along = ("response_period", "path")
     speed_unit = source.length * source.natural_frequency

@@ -55,3 +55,17 @@ def test_restoring_force_is_stiffness_times_what_exceeds_the_clearance():
     force = restoring_force(oscillator, phase, np.array([[1.0, 0.5, -0.8], [-1.0, 0.8, 2.0]]))
     k = WAVE.at(phase)
     np.testing.assert_allclose(force, [[0.2 * k[0], 0.0, 0.0], [-0.2 * k[0], 0.0, 1.2 * k[2]]], atol=1e-15)
+
+
+def test_jump_of_a_table_stands_at_its_breaks_only():
+    np.testing.assert_allclose(TABLE.jump([0.0, 0.2, 0.4, 0.7, 1.0]), [0.6, 0.0, -0.3, 0.0, 0.6], atol=1e-15)
+    assert not WAVE.jump(np.linspace(0, 1, 5)).any()
+
+
+def test_displacement_plus_error_is_continuous_across_a_jump_of_the_error():
+    error = PeriodicTable((0.0, 0.6, 1.0), (0.10, 0.35), (0.20, 0.30))
+    oscillator = Oscillator(0.7, 0.05, 0.3, Harmonics(1.0), error)
+    phases = np.array([0.6 - 1e-7, 0.6, 1.0 - 1e-7, 1.0])
+    displacement, _ = trace(oscillator, (1.3, 0.0), phases, 1)
+    before = displacement[0] + error.jump(phases)
+    np.testing.assert_allclose(before[[1, 3]], before[[0, 2]], atol=1e-6)

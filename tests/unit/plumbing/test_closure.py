@@ -121,7 +121,7 @@ def test_stages_have_a_digest_of_sixteen_digits(script):
 @pytest.mark.parametrize(
     ("script", "reached", "not_reached"),
     [
-        ("stiffen_mesh.py", ["mesh/cantilever.py", "mesh/foundation.py", "heat/modulus.py"], ["wear/archard.py"]),
+        ("build_stiffness.py", ["mesh/cantilever.py", "mesh/foundation.py", "heat/modulus.py"], ["wear/archard.py"]),
         ("advance_wear.py", ["wear/archard.py", "wear/film.py", "mesh/sharing.py"], ["mesh/cantilever.py"]),
         ("open_backlash.py", ["mesh/backlash.py"], ["mesh/stiffness.py", "heat/flash.py"]),
         ("build_geometry.py", ["geometry/involute.py"], ["dynamics/oscillator.py"]),

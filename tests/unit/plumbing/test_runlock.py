@@ -8,6 +8,7 @@ import pytest
 
 from gearwear.plumbing import runlock
 from gearwear.plumbing.closure import SCRIPTS
+from gearwear.plumbing.runlock import only_looks
 
 HOLDER = """
 import sys
@@ -82,3 +83,15 @@ def test_the_process_that_tries_in_vain_can_try_again(run, tmp_path, monkeypatch
     runlock.hold()
     (descriptor,) = runlock._held
     runlock.os.close(descriptor)
+
+
+@pytest.mark.parametrize("line", ["-n all", "-np", "all --dry-run", "--report=r.zip", "--list-rules", "--unlock", "-D"])
+def test_commands_that_only_look_take_no_lock(line):
+    assert only_looks(line.split())
+
+
+@pytest.mark.parametrize(
+    "line", ["-j2 all", "-call", "--cores 2", "-j2 --configfile config/config.yaml run.yaml", "-k -j 1"]
+)
+def test_commands_that_work_take_it(line):
+    assert not only_looks(line.split())

@@ -7,8 +7,10 @@ import sys
 import time
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
+from gearwear.mesh.backlash import half_backlash
 from gearwear.plumbing import stage
 from gearwear.plumbing.closure import SCRIPTS, digest
 
@@ -19,7 +21,7 @@ sys.path.insert(0, {scripts!r})
 from gearwear.plumbing import stage
 from gearwear.plumbing.closure import digest
 script = sys.argv[1]
-job = SimpleNamespace(log=[sys.argv[2]], params=SimpleNamespace(code=digest(script)))
+job = SimpleNamespace(rule="work", output=["made.nc"], log=[sys.argv[2]], params=SimpleNamespace(code=digest(script)))
 with stage.logged(job, script):
     stage.log.info("at work")
     time.sleep(60)
@@ -41,7 +43,8 @@ def script(tmp_path):
 
 @pytest.fixture
 def job(tmp_path, script):
-    return SimpleNamespace(log=[tmp_path / "job.log"], params=SimpleNamespace(code=digest(script)))
+    params = SimpleNamespace(code=digest(script))
+    return SimpleNamespace(rule="work", output=["made.nc"], log=[tmp_path / "job.log"], params=params)
 
 
 @pytest.fixture
@@ -55,16 +58,24 @@ def test_output_goes_to_the_log_of_the_job(job, script, in_this_process, capsys)
         stage.log.info("mean %.1f um", 3.25)
         print("printed")
         print("complained", file=sys.stderr)
-    assert job.log[0].read_text() == "mean 3.2 um\nprinted\ncomplained\n"
+    assert job.log[0].read_text() == "work: made.nc\nmean 3.2 um\nprinted\ncomplained\n"
     assert capsys.readouterr() == ("", "")
 
 
-def test_failure_is_logged_and_handed_on(job, script, in_this_process):
-    with pytest.raises(ValueError, match="teeth jam"), stage.logged(job, str(script)):
-        raise ValueError("the teeth jam")
+def test_failure_that_nobody_worded_keeps_its_traceback(job, script, in_this_process):
+    with pytest.raises(ValueError, match="could not convert"), stage.logged(job, str(script)):
+        float("many")
     text = job.log[0].read_text()
-    assert text.startswith("failed: the teeth jam\n")
+    assert text.startswith("work: made.nc\nfailed: could not convert string")
     assert "Traceback" in text
+
+
+def test_worded_failure_is_one_sentence(job, script, in_this_process):
+    with pytest.raises(SystemExit), stage.logged(job, str(script)):
+        half_backlash(1e-6, np.zeros(3), np.zeros((2, 3)), np.ones((2, 3)), 0.35, "exact")
+    text = job.log[0].read_text()
+    assert text.startswith("work: made.nc\nfailed: the teeth jam")
+    assert text.count("\n") == 2
 
 
 def test_streams_and_handlers_are_given_back(job, script, in_this_process):
@@ -77,7 +88,7 @@ def test_streams_and_handlers_are_given_back(job, script, in_this_process):
 def test_job_refuses_code_that_changed_since_the_workflow_read_it(job, script, in_this_process):
     job.params.code = "0" * 16
     ran = []
-    with pytest.raises(RuntimeError, match="source code changed"), stage.logged(job, str(script)):
+    with pytest.raises(SystemExit), stage.logged(job, str(script)):
         ran.append(True)
     assert ran == []
     assert "start it again" in job.log[0].read_text()
@@ -86,7 +97,7 @@ def test_job_refuses_code_that_changed_since_the_workflow_read_it(job, script, i
 def test_log_is_written_line_by_line(job, script, in_this_process):
     with stage.logged(job, str(script)):
         stage.log.info("first")
-        assert job.log[0].read_text() == "first\n"
+        assert job.log[0].read_text() == "work: made.nc\nfirst\n"
 
 
 def alive(pid: int) -> bool:

@@ -249,3 +249,28 @@ def test_lineage_of_the_inputs_is_written_beside_the_own(tmp_path):
     found = store.load(made(tmp_path, "next", wear=source))
     assert found.attrs["inputs"] == f'{{"wear": "{store.lineage(source)}"}}'
     assert (found.attrs["code"], found.attrs["stage"]) == ("aaaa", "start_wear")
+
+
+@pytest.mark.parametrize(
+    ("path", "makers"),
+    [
+        ("results/geometry.nc", ("build_geometry",)),
+        ("results/wear/temperature.nc", ("heat_contact",)),
+        ("results/with/wear/q003.nc", ("start_wear", "advance_wear")),
+        ("results/with/backlash/q003.nc", ("open_backlash",)),
+        ("results/with/sweeps/backlash.nc", ("join_sweep",)),
+        ("results/with/portraits/backlash.nc", ("trace_portraits",)),
+        ("results/with/sweeps/parts/backlash/1-of-4.nc", ("sweep_part",)),
+        ("somewhere/else.nc", ()),
+    ],
+)
+def test_makers_of_a_result_follow_from_its_place(path, makers):
+    assert store._makers(Path(path)) == makers
+
+
+def test_a_result_of_another_stage_is_named(tmp_path):
+    path = tmp_path / "mesh_stiffness" / "q001.nc"
+    path.parent.mkdir()
+    store.save(flanks(), job(path))
+    with pytest.raises(ValueError, match="q001.nc: a result of start_wear, not of build_stiffness; delete it"):
+        store.load(path)

@@ -6,10 +6,7 @@ import numpy as np
 
 from gearwear.claims import rules
 from gearwear.claims.study import Study, Undecided
-
-NOT_CONVERGED = 0
-QUASI_PERIODIC = 100
-CHAOTIC = 101
+from gearwear.dynamics.motion_class import CHAOTIC, NOT_CONVERGED, QUASI_PERIODIC
 
 
 @dataclass(frozen=True)

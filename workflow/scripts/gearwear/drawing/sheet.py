@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 
 import matplotlib.style
 from matplotlib.figure import Figure
@@ -28,7 +27,7 @@ def sheet(job, width: float, height: float, layout: str | None = "constrained") 
     with matplotlib.style.context(job.input.style, after_reset=True):
         figure = Figure(figsize=(width * MILLIMETRE, height * MILLIMETRE), layout=layout)
         yield figure
-        source = " ".join(["gearwear", *_lineages(job)])
+        source = " ".join(["gearwear", *store.lineages(job).values()])
         with store.atomic(job.output.svg) as vector, store.atomic(job.output.png) as pixels:
             figure.savefig(vector, format="svg", metadata={"Date": None, "Creator": None, "Source": source})
             figure.savefig(pixels, format="png", metadata={"Software": None, "Source": source})
@@ -37,8 +36,3 @@ def sheet(job, width: float, height: float, layout: str | None = "constrained") 
 def letter(position: int) -> str:
     """Return the letter of a panel: (a), (b), ..."""
     return f"({chr(ord('a') + position)})"
-
-
-def _lineages(job) -> list[str]:
-    named = [[value] if isinstance(value, str | Path) else value for _, value in job.input.items()]
-    return [store.lineage(path) for files in named for path in files if str(path).endswith(".nc")]

@@ -7,7 +7,7 @@ import numpy as np
 from gearwear.dynamics.attractors import Attractor
 
 _RENAMED = {"exponent": "lyapunov_exponent", "exponent_error": "lyapunov_exponent_error"}
-_FLAGS = ("motion_class", "reason")
+_WHOLE = ("motion_class", "reason", "period", "transient_periods")
 _SECTION = {"displacement": "section_displacement", "velocity": "section_velocity"}
 
 
@@ -26,7 +26,7 @@ def columns(motions: list[Attractor], samples: int, force_parameter: float) -> d
         if name in _SECTION:
             table[_SECTION[name]] = (("point", "sample"), np.array(values, dtype=float).reshape(-1, samples))
             continue
-        kind = np.int32 if name in _FLAGS else float
+        kind = np.int32 if name in _WHOLE else float
         column = np.array(values, dtype=kind)
         table[_RENAMED.get(name, name)] = ("point", column / force_parameter if name == "force_max" else column)
     return table

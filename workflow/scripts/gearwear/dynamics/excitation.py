@@ -89,6 +89,12 @@ def excitation(geometry, state, reference, pinion_torque: float, settings: dict)
     mean = mean_over_mesh(stiffness, width)
     cold = mean_over_mesh(reference["transmission_error"].values, width)
     ratio = mean_over_mesh(error, width) / cold if cold > _NO_ERROR else np.nan
+    if settings["ste_amplitude"] != "harmonic" and not (cold > 0 and ratio > 0):
+        raise ValueError(
+            f"the mean transmission error is {1e6 * mean_over_mesh(error, width):.4g} um, {1e6 * cold:.4g} um in the "
+            f"reference case; dynamics.ste_amplitude {settings['ste_amplitude']} needs both above 0: give harmonic, or "
+            "another transmission_error.heat"
+        )
     own, unit = _amplitudes(settings["ste_amplitude"], error, reference, which, force, ratio, phase, width)
     first = harmonics(error, phase, width, 1)[0][0]
     if first <= _NO_ERROR:

@@ -55,6 +55,10 @@ class Harmonics:
             value = value + amplitude * (2 * np.pi * j) ** order * np.cos(angle)
         return value
 
+    def jump(self, phase) -> np.ndarray:
+        """Jump of the function at mesh phases: none."""
+        return np.zeros(np.shape(phase))
+
     def minimum(self) -> float:
         """Least value over the period: the lowest of 64 samples per shortest wave, polished by Newton steps."""
         if not any(self.amplitudes):
@@ -121,6 +125,14 @@ class PeriodicTable:
         cell = np.clip(np.searchsorted(breaks, phase, side="right") - 1, 0, len(breaks) - 2)
         share = (phase - breaks[cell]) / (breaks[cell + 1] - breaks[cell])
         return (1 - share) * np.array(self.start)[cell] + share * np.array(self.end)[cell]
+
+    def jump(self, phase) -> np.ndarray:
+        """Jump of the function at mesh phases in [0, 1]: value after less value before, zero between the breaks."""
+        breaks, phase = np.array(self.breaks), np.asarray(phase, dtype=float)
+        cell = np.clip(np.searchsorted(breaks, phase), 0, len(breaks) - 1)
+        step = np.roll(self.end, 1)
+        step = np.append(np.array(self.start) - step, self.start[0] - self.end[-1])
+        return np.where(breaks[cell] == phase, step[cell], 0.0)
 
     def slopes(self) -> np.ndarray:
         """Slope in every cell, per mesh period."""

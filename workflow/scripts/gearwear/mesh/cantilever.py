@@ -69,6 +69,11 @@ def tooth_compliance(
     thickness = np.sin(a) + (a2 - a) * np.cos(a)
     if section_change is not None:
         thickness = thickness + section_change(a)
+    if thickness.min() <= 0:
+        raise ValueError(
+            f"the tooth is worn through: its half thickness falls to {thickness.min():.3f} of the base radius, it must "
+            "stay above 0; lower wear.cycles_per_update, running_cycles or the load"
+        )
     lever = 1 - arm + np.cos(a1) * ((a2 - a) * np.sin(a) - np.cos(a))
     advance = (a2 - a) * np.cos(a) * weights
     slice_area = (advance / thickness).sum(axis=1)

@@ -38,6 +38,7 @@ def disagreements(values: dict[str, Any]) -> Iterator[Problem]:
     yield from _materials_of_contact(values)
     yield from _settling(values)
     yield from _unloaded_error(values)
+    yield from _resolution(values)
     if isinstance(_at(values, "cases"), dict):
         yield from _case_names(values)
         yield from _updates(values)
@@ -71,12 +72,18 @@ def _ranges(values: dict[str, Any]) -> Iterator[Problem]:
 
 def _temperatures(values: dict[str, Any]) -> Iterator[Problem]:
     initial = _at(values, "heat.initial_temperature")
+    tabled = _at(values, "elasticity.law") == "table"
     for name, case in (_at(values, "cases") or {}).items():
         bulk = _at(case, "bulk_temperature")
         if initial is not None and bulk is not None and bulk < initial:
             yield (
                 ("cases", name, "bulk_temperature"),
                 f"{bulk} is below heat.initial_temperature, {initial} degC; give at least that",
+            )
+        elif tabled and bulk is not None and not 20 <= bulk <= 260:
+            yield (
+                ("cases", name, "bulk_temperature"),
+                f"{bulk} is outside the table of elasticity.law table, 20 to 260 degC; use law li or linear",
             )
 
 
@@ -119,6 +126,15 @@ def _unloaded_error(values: dict[str, Any]) -> Iterator[Problem]:
             ("dynamics", "ste_amplitude"),
             f"{amplitude} compares with the loaded error of the pristine pair, and transmission_error.mode no_load has "
             "none; give harmonic",
+        )
+
+
+def _resolution(values: dict[str, Any]) -> Iterator[Problem]:
+    cells, highest = _at(values, "grid.mesh_cells"), _at(values, "dynamics.harmonics")
+    if isinstance(cells, int) and isinstance(highest, int) and cells < 8 * highest:
+        yield (
+            ("grid", "mesh_cells"),
+            f"{cells} cells do not resolve dynamics.harmonics, {highest}; give at least {8 * highest}",
         )
 
 

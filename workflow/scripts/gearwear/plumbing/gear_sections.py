@@ -131,9 +131,9 @@ class Lubricant(Section):
         fixed="dynamic_viscosity at every temperature",
         vogel="through the values at 40 and 100 degC",
     )
-    dynamic_viscosity: Number = quantity("Pa s", "Dynamic viscosity at 100 degC.", ge=1e-5, le=10.0)
+    dynamic_viscosity: Number = quantity("Pa s", "Dynamic viscosity at 100 degC.", ge=1.1e-3, le=10.0)
     dynamic_viscosity_40: Number = quantity(
-        "Pa s", "Dynamic viscosity at 40 degC, used by viscosity_law vogel.", ge=1e-5, le=100.0
+        "Pa s", "Dynamic viscosity at 40 degC, used by viscosity_law vogel.", ge=1.1e-3, le=100.0
     )
     pressure_viscosity: Number = quantity("1/Pa", "Pressure-viscosity coefficient.", ge=1e-9, le=1e-7)
     composite_roughness: Number = quantity("m", "Composite rms roughness of both flanks.", ge=1e-9, le=1e-4)

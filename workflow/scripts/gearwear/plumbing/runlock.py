@@ -4,14 +4,25 @@ from __future__ import annotations
 
 import fcntl
 import os
+import re
 from pathlib import Path
 
 LOCK = Path(".snakemake") / "run.lock"
+# Options of snakemake that show something and make no result; -n may stand in a group such as -np.
+LOOKING = re.compile(
+    r"-[a-zA-Z]*n[a-zA-Z]*|-[SDlh]|--(dry-?run|summary|detailed-summary|report|dag|d3dag|rulegraph|filegraph|lint|list.*"
+    r"|unlock|archive|generate-unit-tests|print-compilation|help|version)"
+)
 _held: list[int] = []
 
 
 class RunningAlready(RuntimeError):
     """Another run holds the working directory."""
+
+
+def only_looks(arguments: list[str]) -> bool:
+    """Return whether a command line of snakemake shows something and makes no result."""
+    return any(LOOKING.fullmatch(argument.partition("=")[0]) for argument in arguments)
 
 
 def hold() -> None:

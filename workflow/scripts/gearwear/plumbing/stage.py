@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import linecache
 import logging
 import os
 import signal
@@ -21,6 +22,8 @@ _PR_SET_PDEATHSIG = 1
 def logged(job, script: str) -> Iterator[None]:
     """Run the body of a stage job with its output in the job's log file.
 
+    An error that the project words itself is one sentence in the log; any other keeps its traceback.
+
     The job stops with its parent, so that no orphan goes on writing after Snakemake was killed, and
     refuses to start if its source changed after Snakemake read it, so that no result is mislabelled.
 
@@ -38,15 +41,31 @@ def logged(job, script: str) -> Iterator[None]:
         log.addHandler(handler)
         log.setLevel(logging.INFO)
         try:
+            log.info("%s: %s", job.rule, ", ".join(job.output))
             if job.params.code != digest(script):
-                raise RuntimeError("the source code changed while the workflow was running: start it again")
+                raise ValueError("the source code changed while the workflow was running: start it again")
             yield
+        except ValueError as error:
+            if not _worded(error):
+                log.exception("failed: %s", error)
+                raise
+            log.error("failed: %s", error)
+            raise SystemExit(1) from None
         except Exception as error:
             log.exception("failed: %s", error)
             raise
         finally:
             log.removeHandler(handler)
             sys.stdout, sys.stderr = keep
+
+
+def _worded(error: ValueError) -> bool:
+    """Return whether `error` comes from a `raise` of this project's code, and not from inside a library."""
+    trace = error.__traceback__
+    while trace.tb_next is not None:
+        trace = trace.tb_next
+    file, line = trace.tb_frame.f_code.co_filename, trace.tb_lineno
+    return linecache.getline(file, line).lstrip().startswith("raise ") and "site-packages" not in file
 
 
 def announce(sentence: str) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -22,6 +23,22 @@ from gearwear.plumbing.fields import field_of
 
 CONVENTIONS = "CF-1.11"
 SOURCE = "gearwear"
+
+# Name of a result file, or else of its folder, and the rules that make it.
+_MADE_BY = {
+    "geometry": ("build_geometry",),
+    "temperature": ("heat_contact",),
+    "deformation": ("grow_flanks",),
+    "wear": ("start_wear", "advance_wear"),
+    "mesh_stiffness": ("build_stiffness",),
+    "transmission_error": ("share_load",),
+    "backlash": ("open_backlash",),
+    "response": ("solve_response",),
+    "parts": ("sweep_part",),
+    "sweeps": ("join_sweep",),
+    "branches": ("continue_orbits",),
+    "portraits": ("trace_portraits",),
+}
 
 
 def load(path: str | Path) -> xr.Dataset:
@@ -42,12 +59,29 @@ def load(path: str | Path) -> xr.Dataset:
         raise ValueError(f"{path}: not a readable netCDF file ({error}); {remedy}") from None
     if dataset.attrs.get("source") != SOURCE or "lineage" not in dataset.attrs:
         raise ValueError(f"{path}: not a result of this workflow (no lineage); {remedy}")
+    expected = _makers(Path(path))
+    if expected and dataset.attrs["stage"] not in expected:
+        raise ValueError(f"{path}: a result of {dataset.attrs['stage']}, not of {' or '.join(expected)}; {remedy}")
     for name, values in dataset.variables.items():
-        if values.dtype.kind != "f" or field_of(str(name), values.dims).may_be_missing:
+        try:
+            optional = field_of(str(name), values.dims).may_be_missing
+        except ValueError as error:
+            raise ValueError(f"{path}: {error}; {remedy}") from None
+        if values.dtype.kind != "f" or optional:
             continue
         if not np.isfinite(values).all():
             raise ValueError(f"{path}: {name} holds values that are not finite; {remedy}")
     return dataset
+
+
+def _makers(path: Path) -> tuple[str, ...]:
+    """Return the rules that may have made a result, by its place: a swept quantity may be named like a stage."""
+    folder = path.parent.name
+    if path.parent.parent.name == "parts":
+        return _MADE_BY["parts"]
+    if folder in ("sweeps", "branches", "portraits") or re.fullmatch(r"q\d{3}", path.stem):
+        return _MADE_BY.get(folder, ())
+    return _MADE_BY.get(path.stem, ()) if path.stem in ("geometry", "temperature", "deformation") else ()
 
 
 def save(dataset: xr.Dataset, job) -> None:
@@ -66,7 +100,7 @@ def save(dataset: xr.Dataset, job) -> None:
     for name in dataset.variables:
         _describe(dataset, str(name))
     config = json.dumps(job.params.cfg, sort_keys=True)
-    inputs = {name: _lineages(paths) for name, paths in sorted(job.input.items())}
+    inputs = lineages(job)
     made_of = json.dumps([job.rule, config, job.params.code, inputs], sort_keys=True)
     dataset.attrs = {
         "Conventions": CONVENTIONS,
@@ -103,10 +137,15 @@ def lineage(path: str | Path) -> str:
         return file.lineage
 
 
-def _lineages(paths) -> str:
-    """Return the lineage of one file, or those of several, each once: parts of one whole share theirs."""
-    several = [paths] if isinstance(paths, str | Path) else paths
-    return " ".join(sorted({lineage(path) for path in several}))
+def lineages(job) -> dict[str, str]:
+    """Return the lineages behind every named input of `job`, each once: the parts of one whole share theirs."""
+    found = {}
+    for name, paths in sorted(job.input.items()):
+        several = [paths] if isinstance(paths, str | Path) else paths
+        behind = sorted({lineage(path) for path in several if str(path).endswith(".nc")})
+        if behind:
+            found[name] = " ".join(behind)
+    return found
 
 
 @contextmanager
