@@ -246,7 +246,7 @@ def test_what_heats_the_contact(states, loaded, rerun, changes, factor):
 @pytest.mark.parametrize("law", ["load_sharing", "thresholds"])
 def test_dry_friction_matters_once_the_film_is_gone(states, rerun, law):
     files = states("with")
-    thin = {"friction__law": law, "lubricant__dynamic_viscosity": 2e-5, "lubricant__composite_roughness": 1e-6}
+    thin = {"friction__law": law, "lubricant__dynamic_viscosity": 1.2e-3, "lubricant__composite_roughness": 2e-5}
     low, high = (
         rerun("temperature", "with", files, **thin, friction__dry=dry)["friction_coefficient"].values
         for dry in (0.2, 0.4)
