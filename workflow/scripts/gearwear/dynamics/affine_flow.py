@@ -60,7 +60,8 @@ def growth_of(direction, a, b, c, d):
 def run_period(rows, slack, state, side, index, detail, work, record, stops, visits):
     """Carry a state through one period; arguments as in run, the number ``index`` of the period.
 
-    ``side`` is the branch before it, for an entry into contact by the last kick. The state and the record (1, COLUMNS) are updated, visits (stops, 2) written.
+    ``side`` is the branch before it, for an entry into contact by the last kick. The state and the record
+    (1, COLUMNS) are updated, visits (stops, 2) written.
 
     Returns
     -------
