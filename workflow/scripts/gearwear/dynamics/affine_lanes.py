@@ -104,7 +104,7 @@ def freeze(lanes, lane, plain, cells):
 
 
 @borrowing
-def end_period(lanes, lane, i, detail, directions, states, maps, growth, record, records):
+def end_period(lanes, lane, i, detail, direction, states, maps, growth, record, records):
     """Store what a lane did in period i; False if it blew up."""
     x, v = lanes[X * LANES + lane], lanes[V * LANES + lane]
     if not (abs(x) < LARGEST_DISPLACEMENT and abs(v) < LARGEST_DISPLACEMENT):
@@ -113,8 +113,10 @@ def end_period(lanes, lane, i, detail, directions, states, maps, growth, record,
     if detail >= GROWTH:
         a, b = lanes[T0 * LANES + lane], lanes[T1 * LANES + lane]
         c, d = lanes[T2 * LANES + lane], lanes[T3 * LANES + lane]
-        growth[i] = growth_of(directions, a, b, c, d)
+        if detail == GROWTH:
+            growth[i] = growth_of(direction, a, c)
         if detail >= MAPS:
+            growth[i] = growth_of(direction, a * direction[0] + b * direction[1], c * direction[0] + d * direction[1])
             maps[i, 0, 0], maps[i, 0, 1], maps[i, 1, 0], maps[i, 1, 1] = a, b, c, d
         if detail == RECORDS:
             for column in range(COLUMNS):
@@ -161,8 +163,11 @@ def run_group(
                 kicked[n] |= rows[r, COMMON, KICK_X] != 0.0 or rows[r, COMMON, KICK_V] != 0.0
     for i in range(periods):
         for lane in range(LANES):
-            lanes[T0 * LANES + lane] = lanes[T3 * LANES + lane] = 1.0
-            lanes[T1 * LANES + lane] = lanes[T2 * LANES + lane] = 0.0
+            p = group[lane]
+            one = detail == GROWTH and alive[lane]
+            lanes[T0 * LANES + lane] = directions[p, 0] if one else 1.0
+            lanes[T2 * LANES + lane] = directions[p, 1] if one else 0.0
+            lanes[T1 * LANES + lane], lanes[T3 * LANES + lane] = 0.0, 1.0
             record[lane, :] = 0.0
             record[lane, LOWEST] = record[lane, HIGHEST] = lanes[X * LANES + lane]
             if alive[lane]:
@@ -188,7 +193,9 @@ def run_group(
                         freeze(lanes, lane, plain, longest)
                         lanes[X1 * LANES + lane] = lanes[V1 * LANES + lane] = 0.0
             if detail >= GROWTH:
-                turn_tangents(lanes)
+                turn_tangents(lanes, T0, T2)
+            if detail >= MAPS:
+                turn_tangents(lanes, T1, T3)
             if kicked[n] or detail == RECORDS:
                 for lane in range(LANES):
                     if alive[lane] and n < counts[lane]:

@@ -12,7 +12,7 @@ from gearwear.dynamics.affine_table import (
     WAVES,
 )
 from gearwear.dynamics.cell_series import DEGREE, TERMS
-from gearwear.dynamics.compiled import borrowing
+from gearwear.dynamics.compiled import inlined
 
 # Places in the work array: series of x, of dx/ds and of d2x/ds2, and whether they are up to date.
 MOTION, SLOPE, CURVE, READY = 0, 16, 32, 48
@@ -22,13 +22,14 @@ MOST_PIECES = 400
 NONE, CROSSES, UNDECIDED = 0, 1, 2
 
 
-@borrowing
+@inlined
 def set_motion(branch, middle, work):
     """Write the series of the motion on a branch that passes through (side, x, v) in the middle of its cell."""
     side, x, v = middle
     for j in range(TERMS):
-        at = WAVES + 4 * j
-        work[MOTION + j] = (branch[at] * x + branch[at + 1] * v) + (branch[at + 2] + side * branch[at + 3])
+        work[MOTION + j] = (branch[WAVES + j] * x + branch[WAVES + TERMS + j] * v) + (
+            branch[WAVES + 2 * TERMS + j] + side * branch[WAVES + 3 * TERMS + j]
+        )
     for j in range(TERMS - 1):
         work[SLOPE + j] = (j + 1) * work[MOTION + j + 1]
     for j in range(TERMS - 2):
@@ -36,7 +37,7 @@ def set_motion(branch, middle, work):
     work[READY] = 1.0
 
 
-@borrowing
+@inlined
 def series_at(work, start, s):
     """Value of a series of TERMS coefficients; four interleaved Horner schemes in s^4."""
     square = s * s
@@ -48,7 +49,7 @@ def series_at(work, start, s):
     return (a + s * b) + square * (c + s * d)
 
 
-@borrowing
+@inlined
 def clearance_at(common, s):
     """Clearance b inside a cell, and its first and second derivative by s."""
     b, slope, curve = common[CLEARANCE], 0.0, 0.0
@@ -61,7 +62,7 @@ def clearance_at(common, s):
     return b, slope, curve
 
 
-@borrowing
+@inlined
 def margin_at(common, work, inward, corner, s):
     """Margin to the corner at corner b, its slope and its curvature by s."""
     b, slope, curve = clearance_at(common, s)
@@ -72,7 +73,7 @@ def margin_at(common, work, inward, corner, s):
     )
 
 
-@borrowing
+@inlined
 def hull_verdict(length, m0, d0, m1, d1, bend):
     """Whether a margin, not negative at first, crosses zero in a piece: NONE, CROSSES (once) or UNDECIDED.
 
@@ -91,7 +92,7 @@ def hull_verdict(length, m0, d0, m1, d1, bend):
     return UNDECIDED
 
 
-@borrowing
+@inlined
 def first_guess(m0, d0, m1, d1):
     """Approximate root in [0, 1] of a margin that falls below zero, from values and slopes at 0 and 1."""
     if d0 < 0.0:
@@ -109,7 +110,7 @@ def first_guess(m0, d0, m1, d1):
     return u
 
 
-@borrowing
+@inlined
 def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
     """Root of the margin in [low, high], where it falls below zero, and its slope there.
 
@@ -140,7 +141,7 @@ def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
     return s, d
 
 
-@borrowing
+@inlined
 def first_exit(common, branch, middle, work, inward, corner, low, m0, d0, m_end, d_end, bend):
     """First departure of a branch through one corner between s = low and 1: (found, s, slope of the margin there).
 

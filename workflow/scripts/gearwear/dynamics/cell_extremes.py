@@ -14,7 +14,7 @@ from gearwear.dynamics.affine_table import (
 )
 from gearwear.dynamics.cell_exit import MOTION, READY, SIXTH, series_at, set_motion
 from gearwear.dynamics.cell_series import DEGREE, TERMS, fourth_derivative_bound
-from gearwear.dynamics.compiled import borrowing
+from gearwear.dynamics.compiled import borrowing, inlined
 
 LOWEST, HIGHEST, FORCE, LOST, IMPACTS = range(5)
 RECORDS = 5
@@ -24,7 +24,7 @@ WORK = 112
 MOST_PIECES = 60
 
 
-@borrowing
+@inlined
 def hull_top(length, f0, d0, f1, d1, bend):
     """Upper bound of a function over a piece; ``bend`` as in cell_exit.hull_verdict."""
     half = 0.5 * length
@@ -33,7 +33,7 @@ def hull_top(length, f0, d0, f1, d1, bend):
     return max(max(f0, f1), max(q2, max(q1, q3)))
 
 
-@borrowing
+@inlined
 def turns_down_once(length, f0, d0, f1, d1, bend):
     """Whether the hull has its slopes first up, then down, with one change of sign."""
     half = 0.5 * length
@@ -139,7 +139,7 @@ def note_piece(common, branch, middle, low, x, v, high, x1, v1, work, record, la
         record[lane, LOWEST] = -highest(work, MOTION, -1.0, low, -x, -v * half, high, -x1, -v1 * half, bend, best)
     if load > record[lane, FORCE]:
         set_load(common, side, work)
-        bend = fourth_derivative_bound(work, LOAD, 1) / 9.0
+        bend = fourth_derivative_bound(work, LOAD) / 9.0
         f0, d0 = series_at(work, LOAD, low), series_at(work, LOAD_SLOPE, low)
         f1, d1 = series_at(work, LOAD, high), series_at(work, LOAD_SLOPE, high)
         record[lane, FORCE] = highest(work, LOAD, 1.0, low, f0, d0, high, f1, d1, bend, record[lane, FORCE])

@@ -5,6 +5,7 @@ import numpy as np
 from gearwear.dynamics.affine_batch import count_all, run_many
 from gearwear.dynamics.motion import AUTOMATIC, GENERAL, RECORDS, Strobe, check_request, collected, strobe
 from gearwear.dynamics.oscillator import Oscillator
+from gearwear.dynamics.periodic import Harmonics
 
 LONGEST_TABLE = 1024  # cells: longer tables of sixteen lanes would take too much memory
 
@@ -59,7 +60,8 @@ def strobe_many(
             counts = counts[counts <= LONGEST_TABLE]
     if together.size:
         chosen = [oscillators[p] for p in together]
-        parts.append((together, _run(chosen, stacked, counts, starts[together], directions[together], periods, detail)))
+        unit = directions[together] / np.hypot(*directions[together].T)[:, None]
+        parts.append((together, _run(chosen, stacked, counts, starts[together], unit, periods, detail)))
     for p in np.flatnonzero(single):
         run = strobe(
             oscillators[p], starts[p], periods, first_period, tolerance, directions[p], detail=detail, backend=backend
@@ -93,6 +95,9 @@ def _run(oscillators, stacked, counts, starts, directions, periods, detail):
 
 
 def _stack(oscillators):
+    """Coefficients of all oscillators in common arrays: see affine_batch.run_many."""
+    if all(isinstance(o.stiffness, Harmonics) and isinstance(o.error, Harmonics) for o in oscillators):
+        return _stack_of_harmonics(oscillators)
     parts = [oscillator.coefficients for oscillator in oscillators]
     rows = max(part.harmonics.shape[0] for part in parts)
     harmonics = np.zeros((len(parts), rows, 6))
@@ -101,6 +106,29 @@ def _stack(oscillators):
     places = np.cumsum([0] + [len(part.cells) for part in parts])
     cells = np.concatenate([part.cells for part in parts])
     return np.array([part.constants for part in parts], dtype=float), harmonics, cells, places
+
+
+def _stack_of_harmonics(oscillators):
+    """The same for oscillators without tables, in a tenth of the time."""
+    points = len(oscillators)
+    waves = [(o.stiffness, o.error, o.clearance) for o in oscillators]
+    rows = max(len(wave.amplitudes) for three in waves for wave in three)
+    padding = (0.0,) * rows
+    amplitudes = np.array([[(w.amplitudes + padding)[:rows] for w in three] for three in waves]).reshape(
+        points, 3, rows
+    )
+    phases = np.array([[(w.phases + padding)[:rows] for w in three] for three in waves]).reshape(points, 3, rows)
+    constants = np.array(
+        [(o.frequency, 2 * o.damping_ratio, o.mean_force, o.clearance.mean, *o.torque) for o in oscillators]
+    )
+    scale = np.ones((points, 3, rows))
+    scale[:, 1] = (np.arange(1, rows + 1) * constants[:, :1]) ** 2
+    harmonics = np.empty((points, rows, 6))
+    harmonics[:, :, 0::2] = (scale * (amplitudes * np.cos(phases))).transpose(0, 2, 1)
+    harmonics[:, :, 1::2] = (-scale * (amplitudes * np.sin(phases))).transpose(0, 2, 1)
+    cells = np.zeros((points, 6))
+    cells[:, 1], cells[:, 2] = 1.0, [o.stiffness.mean for o in oscillators]
+    return constants, harmonics, cells, np.arange(points + 1)
 
 
 def _pairs(values, points: int, name: str) -> np.ndarray:

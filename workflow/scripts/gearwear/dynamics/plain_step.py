@@ -12,7 +12,7 @@ from gearwear.dynamics.affine_table import (
     HALF_WIDTH,
     STEP,
 )
-from gearwear.dynamics.compiled import borrowing
+from gearwear.dynamics.compiled import borrowing, inlined
 
 LANES = 16
 # Columns of the plain steps: the map in contact (8), what of the free one is not 1 or 0 (4), half width, clearances.
@@ -45,7 +45,7 @@ def pack_plain(rows, first, cells, plain, lane):
             plain[n, column * LANES + lane] = rows[r, COMMON, source]
 
 
-@borrowing
+@inlined
 def plain_steps(cell, slack, lanes):
     """Step every lane through a cell on its branch; returns 1 if one of them may have met a corner, else 0."""
     doubtful = 0
@@ -83,19 +83,16 @@ def plain_steps(cell, slack, lanes):
     return doubtful
 
 
-@borrowing
-def turn_tangents(lanes):
-    """Multiply the tangent map of every lane by the map of its cell."""
+@inlined
+def turn_tangents(lanes, first, second):
+    """Multiply a tangent vector of every lane, its components at two places, by the map of its cell."""
     for lane in range(LANES):
-        m0, m1 = lanes[M0 * LANES + lane], lanes[M1 * LANES + lane]
-        m2, m3 = lanes[M2 * LANES + lane], lanes[M3 * LANES + lane]
-        a, b = lanes[T0 * LANES + lane], lanes[T1 * LANES + lane]
-        c, d = lanes[T2 * LANES + lane], lanes[T3 * LANES + lane]
-        lanes[T0 * LANES + lane], lanes[T1 * LANES + lane] = m0 * a + m1 * c, m0 * b + m1 * d
-        lanes[T2 * LANES + lane], lanes[T3 * LANES + lane] = m2 * a + m3 * c, m2 * b + m3 * d
+        p, q = lanes[first * LANES + lane], lanes[second * LANES + lane]
+        lanes[first * LANES + lane] = lanes[M0 * LANES + lane] * p + lanes[M1 * LANES + lane] * q
+        lanes[second * LANES + lane] = lanes[M2 * LANES + lane] * p + lanes[M3 * LANES + lane] * q
 
 
-@borrowing
+@inlined
 def take_states(lanes):
     """Make the states after a cell those before the next."""
     for k in range(2 * LANES):
