@@ -49,9 +49,10 @@ def stays(side, x, v, x1, v1, half, low, high, slack_x, slack_v, slack_1):
 @inlined
 def growth_of(direction, p, q):
     """Logarithm of the length of (p, q), what has become of a tangent vector of length 1; the vector is made it."""
-    size = math.sqrt(p * p + q * q)
-    direction[0], direction[1] = p / size, q / size
-    return math.log(size)
+    square = p * p + q * q
+    share = 1.0 / math.sqrt(square)
+    direction[0], direction[1] = p * share, q * share
+    return 0.5 * math.log(square)
 
 
 @borrowing

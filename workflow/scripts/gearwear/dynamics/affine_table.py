@@ -136,10 +136,14 @@ def fill_table(constants, harmonics, cells, counts, scratch, rows, slack):
             force[0], row[CLEARANCE] = constants[2], constants[3]
             load_series(constants, harmonics, middle, half, row, force)
             finish_clearance(row)
-            product_series(row[STIFFNESS:], row[CLEARANCE:], shift)
+            steady = row[CLEARANCE_BEND] == 0.0
+            if not steady:
+                product_series(row[STIFFNESS:], row[CLEARANCE:], shift)
             for place in (FREE, CONTACT):
                 branch = rows[r, place]
-                fundamental_series(branch[WAVES:], place == CONTACT, half, constants[1], row[STIFFNESS:], force, shift)
+                waves, stiffness = branch[WAVES : WAVES + 4 * TERMS], row[STIFFNESS:]
+                contact, b = place == CONTACT, row[CLEARANCE]
+                fundamental_series(waves, contact, half, constants[1], stiffness, force, shift, b, steady)
                 finish_maps(branch, row[RATE], row[CLEARANCE_BEND], slack)
             row[FORCE_START] = value_at_end(force, 0, -1.0)[0]
             r += 1

@@ -50,6 +50,16 @@ def series_at(work, start, s):
 
 
 @inlined
+def short_series_at(work, start, s):
+    """Value of the first eight terms of a series: within 1e-5 of it, a first approximation."""
+    square = s * s
+    fourth = square * square
+    a, b = work[start] + fourth * work[start + 4], work[start + 1] + fourth * work[start + 5]
+    c, d = work[start + 2] + fourth * work[start + 6], work[start + 3] + fourth * work[start + 7]
+    return (a + s * b) + square * (c + s * d)
+
+
+@inlined
 def clearance_at(common, s):
     """Clearance b inside a cell, and its first and second derivative by s."""
     b, slope, curve = common[CLEARANCE], 0.0, 0.0
@@ -111,15 +121,27 @@ def first_guess(m0, d0, m1, d1):
 
 
 @inlined
+def better_guess(common, work, inward, corner, low, s, high):
+    """One Newton step on the first terms of the margin, kept in its bracket."""
+    b, slope, _ = clearance_at(common, s)
+    d = inward * (corner * short_series_at(work, SLOPE, s) - slope)
+    if d >= 0.0:
+        return s
+    return min(high, max(low, s - inward * (corner * short_series_at(work, MOTION, s) - b) / d))
+
+
+@inlined
 def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
     """Root of the margin in [low, high], where it falls below zero, and its slope there.
 
-    Halley's method kept in its bracket; its last step, below 1e-8, is taken without another evaluation.
+    Halley's method kept in its bracket; its last step is taken without another evaluation, if it is so small that the
+    third derivative (with a constant clearance) or the second gives the slope to round-off.
     """
     if m0 <= 0.0 and d0 < 0.0:
         return low, d0
-    length = high - low
+    length, last = high - low, 1e-6 if common[CLEARANCE_BEND] == 0.0 else 1e-8
     s = low + length * min(1.0, max(0.0, first_guess(m0, length * d0, m1, length * d1)))
+    s = better_guess(common, work, inward, corner, low, s, high)
     d = d1
     for _ in range(80):
         m, d, c = margin_at(common, work, inward, corner, s)
@@ -131,8 +153,9 @@ def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
         if d < 0.0:
             change = -2.0 * m * d / (2.0 * d * d - m * c)
             trial = s + change
-            if abs(change) < 1e-8 and abs(change * c) <= -1e-5 * d:
-                return min(1.0, trial), d + c * change
+            if abs(change) < last and abs(change * c) <= -1e-5 * d:
+                third = 6.0 * work[MOTION + 3] + s * (24.0 * work[MOTION + 4] + s * 60.0 * work[MOTION + 5])
+                return min(1.0, trial), d + change * (c + 0.5 * change * inward * corner * third)
             if low < trial < high:
                 following = trial
         if following in (low, high) or m == 0.0:

@@ -32,7 +32,7 @@ def add_wave(series, start, cosine, sine, angle, turn):
 
 
 @borrowing
-def fundamental_series(waves, in_contact, half_width, friction, stiffness, force, shift):
+def fundamental_series(waves, in_contact, half_width, friction, stiffness, force, shift, clearance, steady):
     """Write the coefficients of P, then Q, R_F and R_b of a cell, TERMS of each.
 
     Power series of x'' + c x' + k x = F + side k b, term by term: with H the half width,
@@ -42,6 +42,7 @@ def fundamental_series(waves, in_contact, half_width, friction, stiffness, force
     ----------
     waves : (4 TERMS,) where they go
     in_contact : False without contact, k = 0
+    clearance, steady : b in the middle, and whether it stays; then R_b = b (1 - P), with k b in proportion to k
     stiffness, force, shift : (TERMS,) Taylor coefficients in s of k, F and k b
     """
     square, damping = half_width * half_width, friction * half_width
@@ -52,17 +53,22 @@ def fundamental_series(waves, in_contact, half_width, friction, stiffness, force
     for j in range(DEGREE - 1):
         new_p, new_q, new_f, new_b = 0.0, 0.0, force[j], 0.0
         if in_contact:
-            new_b = shift[j]
             for i in range(j + 1):
                 new_p -= stiffness[i] * p[j - i]
                 new_q -= stiffness[i] * q[j - i]
                 new_f -= stiffness[i] * f[j - i]
-                new_b -= stiffness[i] * b[j - i]
+            if not steady:
+                new_b = shift[j]
+                for i in range(j + 1):
+                    new_b -= stiffness[i] * b[j - i]
         share, drag = 1.0 / ((j + 1) * (j + 2)), damping * (j + 1)
         p[j + 2] = (square * new_p - drag * p[j + 1]) * share
         q[j + 2] = (square * new_q - drag * q[j + 1]) * share
         f[j + 2] = (square * new_f - drag * f[j + 1]) * share
         b[j + 2] = (square * new_b - drag * b[j + 1]) * share
+    if in_contact and steady:
+        for j in range(2, DEGREE + 1):
+            b[j] = -clearance * p[j]
 
 
 @borrowing

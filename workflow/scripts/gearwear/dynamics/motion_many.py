@@ -3,7 +3,7 @@
 import numpy as np
 
 from gearwear.dynamics.affine_batch import count_all, run_many
-from gearwear.dynamics.motion import AUTOMATIC, GENERAL, RECORDS, Strobe, check_request, collected, strobe
+from gearwear.dynamics.motion import AUTOMATIC, GENERAL, RECORDS, STATES, Strobe, check_request, collected, strobe
 from gearwear.dynamics.oscillator import Oscillator
 from gearwear.dynamics.periodic import Harmonics
 
@@ -19,6 +19,7 @@ def strobe_many(
     tangent=(1.0, 0.0),
     detail: int = RECORDS,
     backend: str = AUTOMATIC,
+    early_end: bool = False,
 ) -> Strobe:
     """Run many oscillators, each from its own state at mesh phase 0.
 
@@ -30,6 +31,8 @@ def strobe_many(
     states : (points, 2) or (2,) displacement and velocity
     tangent : (points, 2) or (2,)
     periods, first_period, tolerance, detail, backend : as in motion.strobe
+    early_end : stop a point as soon as its state recurs to the last bit, and fill in the rest: the same states in
+        less time; for the detail STATES
 
     Returns
     -------
@@ -39,10 +42,12 @@ def strobe_many(
     Raises
     ------
     ValueError
-        As motion.strobe.
+        As motion.strobe; for an early end with more detail than STATES.
     """
     points = len(oscillators)
     starts, directions = _pairs(states, points, "state"), _pairs(tangent, points, "tangent")
+    if early_end and detail != STATES:
+        raise ValueError(f"early_end: fills in states only; ask for the detail STATES, {STATES}, not {detail}")
     if points == 0:
         raise ValueError("oscillators: the list is empty; give at least one")
     for direction in directions if np.ndim(tangent) > 1 else directions[:1]:
@@ -61,7 +66,7 @@ def strobe_many(
     if together.size:
         chosen = [oscillators[p] for p in together]
         unit = directions[together] / np.hypot(*directions[together].T)[:, None]
-        parts.append((together, _run(chosen, stacked, counts, starts[together], unit, periods, detail)))
+        parts.append((together, _run(chosen, stacked, counts, starts[together], unit, periods, detail, early_end)))
     for p in np.flatnonzero(single):
         run = strobe(
             oscillators[p], starts[p], periods, first_period, tolerance, directions[p], detail=detail, backend=backend
@@ -84,11 +89,11 @@ def _merged(parts, points: int) -> Strobe:
     return Strobe(*fields)
 
 
-def _run(oscillators, stacked, counts, starts, directions, periods, detail):
+def _run(oscillators, stacked, counts, starts, directions, periods, detail, early_end):
     order = np.argsort(counts, kind="stable")
     shared = [False] + [oscillators[a] is oscillators[b] for a, b in zip(order[1:], order[:-1], strict=True)]
     states, maps, growth, records, status = run_many(
-        *stacked, np.array(shared), order, counts, starts, directions, int(periods), detail
+        *stacked, np.array(shared), order, counts, starts, directions, int(periods), detail, early_end
     )
     period = 2 * np.pi / stacked[0][:, :1]
     return collected(period, states, maps, growth, records, directions, status, detail)
