@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from gearwear.dynamics import motion_many
+from gearwear.dynamics.early_end import fill_if_recurring
 from gearwear.dynamics.motion import BLOW_UP, COMPLETED, GROWTH, MAPS, RECORDS, STATES, strobe
 from gearwear.dynamics.motion_many import strobe_many
 from gearwear.dynamics.oscillator import ExternalTorque, Oscillator
@@ -85,6 +86,32 @@ def test_blow_up_of_one_point_leaves_the_others_alone():
     assert_same(strobe(CHAOTIC, (0.3, 0.1), 5), many, 0)
 
 
+def test_early_end_changes_no_bit():
+    """Periods 1, 2 and 4 recur and are filled in; chaos and a blow-up are run to the end."""
+    driven = dataclasses.replace(CHAOTIC, error=Harmonics(0.0, (3e6,), (0.0,)))
+    oscillators = [*(CHAOTIC.at_frequency(w) for w in (0.4, 0.9, 1.1, 1.21, 1.4)), driven]
+    whole = strobe_many(oscillators, (0.0, 0.0), 1500, detail=STATES)
+    early = strobe_many(oscillators, (0.0, 0.0), 1500, detail=STATES, early_end=True)
+    np.testing.assert_array_equal(whole.states, early.states)
+    np.testing.assert_array_equal(whole.status, early.status)
+
+
+@pytest.mark.parametrize("period", [1, 2, 3, 5])
+def test_recurring_states_are_filled_in(period):
+    cycle = np.random.default_rng(period).uniform(size=(period, 2))
+    states = np.concatenate([np.random.default_rng(9).uniform(size=(7, 2)), np.resize(cycle, (40, 2))])
+    expected = states.copy()
+    filled = 0
+    for reached in range(1, 47):
+        rest = states.copy()
+        rest[reached + 1 :] = np.nan
+        if fill_if_recurring(rest, reached):
+            filled += 1
+            np.testing.assert_array_equal(rest, expected)
+    assert filled > 0
+    assert not any(fill_if_recurring(np.arange(100.0).reshape(50, 2), reached) for reached in range(1, 50))
+
+
 @pytest.mark.parametrize(
     "oscillators, states, message",
     [
@@ -93,6 +120,11 @@ def test_blow_up_of_one_point_leaves_the_others_alone():
         ([CHAOTIC] * 2, np.zeros((3, 2)), "state"),
     ],
 )
-def test_impossible_requests_are_refused(oscillators, states, message):
+def test_impossible_oscillators_and_states_are_refused(oscillators, states, message):
     with pytest.raises(ValueError, match=message):
         strobe_many(oscillators, states, 1)
+
+
+def test_early_end_with_more_than_states_is_refused():
+    with pytest.raises(ValueError, match="early_end"):
+        strobe_many([CHAOTIC], (0.0, 0.0), 1, early_end=True)

@@ -22,7 +22,9 @@ def count_all(constants, harmonics, cells, places):
 
 
 @njit
-def run_many(constants, harmonics, cells, places, shared, order, counts, starts, directions, periods, detail):
+def run_many(
+    constants, harmonics, cells, places, shared, order, counts, starts, directions, periods, detail, early_end
+):
     """Run whole periods of many oscillators.
 
     Parameters
@@ -31,7 +33,8 @@ def run_many(constants, harmonics, cells, places, shared, order, counts, starts,
     cells, places : cells of all oscillators one below the other; those of p are places[p] to places[p + 1]
     shared : (points,) True where the oscillator is that of the point before it in ``order``
     order : (points,) in which the points are dealt to the lanes; counts : from count_all
-    starts, directions : (points, 2); the directions are updated in place
+    starts, directions : (points, 2); the directions, of length 1, are updated in place
+    early_end : see affine_lanes.run_group
 
     Returns
     -------
@@ -77,6 +80,7 @@ def run_many(constants, harmonics, cells, places, shared, order, counts, starts,
             group,
             periods,
             detail,
+            early_end,
             new_scratch(longest),
             directions,
             states,

@@ -25,14 +25,14 @@ from gearwear.dynamics.cell_crossing import GROWTH, MAP, MAPS, RECORDS, affine, 
 from gearwear.dynamics.cell_exit import READY
 from gearwear.dynamics.cell_extremes import HIGHEST, IMPACTS, LOWEST, WORK, note_piece
 from gearwear.dynamics.cell_extremes import RECORDS as COLUMNS
-from gearwear.dynamics.compiled import borrowing, njit
+from gearwear.dynamics.compiled import borrowing, inlined, njit
 
 COMPLETED, BLOW_UP, TOO_MANY_STEPS = 0, 1, 2
 LARGEST_DISPLACEMENT = 1e6
 THIRD = 1.0 / 3.0
 
 
-@borrowing
+@inlined
 def stays(side, x, v, x1, v1, half, low, high, slack_x, slack_v, slack_1):
     """Whether a cell is passed on one branch for sure: the hull of cell_exit lies between the corners or beyond."""
     q1, q3 = x + 0.5 * half * v, x1 - 0.5 * half * v1
@@ -46,18 +46,17 @@ def stays(side, x, v, x1, v1, half, low, high, slack_x, slack_v, slack_1):
     return (gap1 > 0.0) & (gap2 > slack) & (gap3 > 0.0) & (gap4 > 0.0)
 
 
-@borrowing
-def growth_of(direction, a, b, c, d):
-    """Logarithm of the growth of a tangent vector under a matrix; the vector is updated and made of length 1."""
-    p, q = a * direction[0] + b * direction[1], c * direction[0] + d * direction[1]
-    size = math.hypot(p, q)
-    growth = math.log(size / math.hypot(direction[0], direction[1]))
-    direction[0], direction[1] = p / size, q / size
-    return growth
+@inlined
+def growth_of(direction, p, q):
+    """Logarithm of the length of (p, q), what has become of a tangent vector of length 1; the vector is made it."""
+    square = p * p + q * q
+    share = 1.0 / math.sqrt(square)
+    direction[0], direction[1] = p * share, q * share
+    return 0.5 * math.log(square)
 
 
 @borrowing
-def run_period(rows, slack, state, side, index, detail, work, record, stops, visits):
+def run_period(rows, slack, state, side, index, detail, start, work, record, stops, visits):
     """Carry a state through one period; arguments as in run, the number ``index`` of the period.
 
     ``side`` is the branch before it, for an entry into contact by the last kick. The state and the record
@@ -65,10 +64,10 @@ def run_period(rows, slack, state, side, index, detail, work, record, stops, vis
 
     Returns
     -------
-    a, b, c, d, side, status : tangent map of the period, branch at its end
+    a, b, c, d, side, status : the matrix ``start`` multiplied by the tangent map of the period; branch at its end
     """
     x, v = state[0], state[1]
-    a, b, c, d = 1.0, 0.0, 0.0, 1.0
+    a, b, c, d = start
     record[0, :] = 0.0
     record[0, LOWEST], record[0, HIGHEST] = x, x
     noted = 0
@@ -126,7 +125,7 @@ def run(rows, slack, state, direction, periods, detail, stops):
     Parameters
     ----------
     rows, slack : as in AffineTable
-    state, direction : (2,) state at mesh phase 0 and tangent vector; the direction is updated in place
+    state, direction : (2,) state at mesh phase 0 and tangent vector of length 1; the direction is updated in place
     detail : STATES; GROWTH of the direction; MAPS too; RECORDS too. What is not asked for is NaN
     stops : increasing numbers of cells at whose start the state is noted; the number of cells for the period's end
 
@@ -148,14 +147,18 @@ def run(rows, slack, state, direction, periods, detail, stops):
     state = state.copy()
     states[0] = state
     for i in range(periods):
-        a, b, c, d, last, status = run_period(rows, slack, state, last, i, detail, work, record, stops, visits[i])
+        start = (1.0, 0.0, 0.0, 1.0) if detail >= MAPS else (direction[0], 0.0, direction[1], 0.0)
+        a, b, c, d, last, status = run_period(
+            rows, slack, state, last, i, detail, start, work, record, stops, visits[i]
+        )
         if status != COMPLETED:
             visits[i] = np.nan
             return states, maps, growth, records, visits, status
         states[i + 1] = state
-        if detail >= GROWTH:
-            growth[i] = growth_of(direction, a, b, c, d)
+        if detail == GROWTH:
+            growth[i] = growth_of(direction, a, c)
         if detail >= MAPS:
+            growth[i] = growth_of(direction, a * direction[0] + b * direction[1], c * direction[0] + d * direction[1])
             maps[i, 0, 0], maps[i, 0, 1], maps[i, 1, 0], maps[i, 1, 1] = a, b, c, d
         if detail == RECORDS:
             records[i] = record[0]

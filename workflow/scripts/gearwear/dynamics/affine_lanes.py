@@ -5,6 +5,8 @@ results are those of affine_flow to the last bit, whatever its neighbours are. T
 cells; one with fewer cells, or none to run, stands still in cells that change nothing.
 """
 
+import math
+
 import numpy as np
 
 from gearwear.dynamics.affine_flow import (
@@ -22,29 +24,32 @@ from gearwear.dynamics.affine_table import (
     KICK_V,
     KICK_X,
 )
-from gearwear.dynamics.cell_crossing import GROWTH, MAP, MAPS, RECORDS, affine, cross_cell, side_at_start
+from gearwear.dynamics.cell_crossing import GROWTH, MAP, MAPS, RECORDS, STATES, affine, cross_cell, side_at_start
 from gearwear.dynamics.cell_exit import READY
 from gearwear.dynamics.cell_extremes import HIGHEST, IMPACTS, LOWEST, WORK, note_piece
 from gearwear.dynamics.cell_extremes import RECORDS as COLUMNS
 from gearwear.dynamics.compiled import borrowing, njit
+from gearwear.dynamics.early_end import fill_if_recurring
 from gearwear.dynamics.plain_step import (
+    GROWN,
     LANES,
-    M0,
     PLACES,
+    S0,
+    S1,
+    S2,
+    S3,
     SIDE,
-    STAYS,
     T0,
     T1,
     T2,
     T3,
-    V1,
-    X1,
+    V0,
+    X0,
     V,
     X,
+    make_unit,
     plain_steps,
     stand_still,
-    take_states,
-    turn_tangents,
 )
 
 
@@ -63,26 +68,30 @@ def cross_lane(cell, lanes, lane, detail, work, record):
     x1, v1, side, completed = cross_cell(
         cell,
         lanes[SIDE * LANES + lane],
-        lanes[X * LANES + lane],
-        lanes[V * LANES + lane],
+        lanes[X0 * LANES + lane],
+        lanes[V0 * LANES + lane],
         detail,
         work,
         record,
         lane,
     )
-    lanes[X1 * LANES + lane], lanes[V1 * LANES + lane], lanes[SIDE * LANES + lane] = x1, v1, side
-    for k in range(4):
-        lanes[(M0 + k) * LANES + lane] = work[MAP + k]
+    lanes[X * LANES + lane], lanes[V * LANES + lane], lanes[SIDE * LANES + lane] = x1, v1, side
+    if detail >= GROWTH:
+        m0, m1, m2, m3 = work[MAP], work[MAP + 1], work[MAP + 2], work[MAP + 3]
+        a, b = lanes[S0 * LANES + lane], lanes[S1 * LANES + lane]
+        c, d = lanes[S2 * LANES + lane], lanes[S3 * LANES + lane]
+        lanes[T0 * LANES + lane], lanes[T1 * LANES + lane] = m0 * a + m1 * c, m0 * b + m1 * d
+        lanes[T2 * LANES + lane], lanes[T3 * LANES + lane] = m2 * a + m3 * c, m2 * b + m3 * d
     return completed
 
 
 @borrowing
 def note_lane(cell, lanes, lane, work, record):
     """Take a plain step of a lane into the record of its period."""
-    side, x, v = lanes[SIDE * LANES + lane], lanes[X * LANES + lane], lanes[V * LANES + lane]
+    side, x, v = lanes[SIDE * LANES + lane], lanes[X0 * LANES + lane], lanes[V0 * LANES + lane]
     branch = cell[CONTACT if side != 0.0 else FREE]
     xm, vm = affine(branch, INTO, side, x, v)
-    x1, v1 = lanes[X1 * LANES + lane], lanes[V1 * LANES + lane]
+    x1, v1 = lanes[X * LANES + lane], lanes[V * LANES + lane]
     work[READY] = 0.0
     note_piece(cell[COMMON], branch, (side, xm, vm), -1.0, x, v, 1.0, x1, v1, work, record, lane)
 
@@ -90,8 +99,8 @@ def note_lane(cell, lanes, lane, work, record):
 @borrowing
 def kick_lane(common, lanes, lane, record):
     """Add the kick at the end of a cell, and take the state after it into the record."""
-    x = lanes[X1 * LANES + lane] + common[KICK_X]
-    lanes[X1 * LANES + lane], lanes[V1 * LANES + lane] = x, lanes[V1 * LANES + lane] + common[KICK_V]
+    x = lanes[X * LANES + lane] + common[KICK_X]
+    lanes[X * LANES + lane], lanes[V * LANES + lane] = x, lanes[V * LANES + lane] + common[KICK_V]
     record[lane, LOWEST], record[lane, HIGHEST] = min(record[lane, LOWEST], x), max(record[lane, HIGHEST], x)
 
 
@@ -104,7 +113,7 @@ def freeze(lanes, lane, plain, cells):
 
 
 @borrowing
-def end_period(lanes, lane, i, detail, directions, states, maps, growth, record, records):
+def end_period(lanes, lane, i, detail, direction, states, maps, growth, record, records):
     """Store what a lane did in period i; False if it blew up."""
     x, v = lanes[X * LANES + lane], lanes[V * LANES + lane]
     if not (abs(x) < LARGEST_DISPLACEMENT and abs(v) < LARGEST_DISPLACEMENT):
@@ -113,8 +122,11 @@ def end_period(lanes, lane, i, detail, directions, states, maps, growth, record,
     if detail >= GROWTH:
         a, b = lanes[T0 * LANES + lane], lanes[T1 * LANES + lane]
         c, d = lanes[T2 * LANES + lane], lanes[T3 * LANES + lane]
-        growth[i] = growth_of(directions, a, b, c, d)
+        if detail == GROWTH:
+            growth[i] = 0.5 * math.log(lanes[GROWN * LANES + lane])
+            direction[0], direction[1] = a, c
         if detail >= MAPS:
+            growth[i] = growth_of(direction, a * direction[0] + b * direction[1], c * direction[0] + d * direction[1])
             maps[i, 0, 0], maps[i, 0, 1], maps[i, 1, 0], maps[i, 1, 1] = a, b, c, d
         if detail == RECORDS:
             for column in range(COLUMNS):
@@ -136,7 +148,21 @@ def new_scratch(longest):
 
 @borrowing
 def run_group(
-    rows, counts, plain, slack, group, periods, detail, scratch, directions, states, maps, growth, records, status
+    rows,
+    counts,
+    plain,
+    slack,
+    group,
+    periods,
+    detail,
+    early_end,
+    scratch,
+    directions,
+    states,
+    maps,
+    growth,
+    records,
+    status,
 ):
     """Run whole periods of up to sixteen oscillators; arguments and results as affine_flow.run, with an axis of points.
 
@@ -146,6 +172,7 @@ def run_group(
     counts : (LANES,) number of cells, 0 for a lane without a point
     plain, slack : as from pack_plain, and (3 LANES,)
     group : (LANES,) number of the point of every lane
+    early_end : whether a lane whose state recurs is filled in (states only)
     scratch : arrays of the sizes of new_scratch
     """
     lanes, work, record, alive, kicked = scratch
@@ -154,17 +181,21 @@ def run_group(
     kicked[:] = False
     for lane in range(LANES):
         alive[lane] = counts[lane] > 0
+        lanes[T0 * LANES + lane] = 1.0
         if alive[lane]:
+            lanes[T0 * LANES + lane], lanes[T2 * LANES + lane] = directions[group[lane], 0], directions[group[lane], 1]
             lanes[X * LANES + lane], lanes[V * LANES + lane] = states[group[lane], 0, 0], states[group[lane], 0, 1]
             for n in range(counts[lane]):
                 r = lane * longest + n
                 kicked[n] |= rows[r, COMMON, KICK_X] != 0.0 or rows[r, COMMON, KICK_V] != 0.0
     for i in range(periods):
         for lane in range(LANES):
-            lanes[T0 * LANES + lane] = lanes[T3 * LANES + lane] = 1.0
-            lanes[T1 * LANES + lane] = lanes[T2 * LANES + lane] = 0.0
-            record[lane, :] = 0.0
-            record[lane, LOWEST] = record[lane, HIGHEST] = lanes[X * LANES + lane]
+            if detail >= MAPS:
+                lanes[T0 * LANES + lane], lanes[T1 * LANES + lane] = 1.0, 0.0
+                lanes[T2 * LANES + lane], lanes[T3 * LANES + lane] = 0.0, 1.0
+            if detail == RECORDS:
+                record[lane, :] = 0.0
+                record[lane, LOWEST] = record[lane, HIGHEST] = lanes[X * LANES + lane]
             if alive[lane]:
                 enter_branch(rows[lane * longest, COMMON], lanes, lane, record, i > 0)
         for n in range(longest):
@@ -172,33 +203,43 @@ def run_group(
                 for lane in range(LANES):
                     if alive[lane] and n < counts[lane] and rows[lane * longest + n, COMMON, FRESH] != 0.0:
                         enter_branch(rows[lane * longest + n, COMMON], lanes, lane, record, True)
-            doubtful = plain_steps(plain[n], slack, lanes)
+            if detail == STATES:
+                doubtful = plain_steps(plain[n], slack, lanes, 0)
+            elif detail == GROWTH:
+                doubtful = plain_steps(plain[n], slack, lanes, 1)
+            else:
+                doubtful = plain_steps(plain[n], slack, lanes, 2)
             if detail == RECORDS:
                 for lane in range(LANES):
-                    if alive[lane] and n < counts[lane] and lanes[STAYS * LANES + lane] != 0.0:
+                    if alive[lane] and n < counts[lane] and not doubtful >> lane & 1:
                         note_lane(rows[lane * longest + n], lanes, lane, work, record)
-            if doubtful:
-                for lane in range(LANES):
-                    if lanes[STAYS * LANES + lane] == 0.0 and not cross_lane(
-                        rows[lane * longest + n], lanes, lane, detail, work, record
-                    ):
-                        blown = not abs(lanes[X1 * LANES + lane]) < LARGEST_DISPLACEMENT
-                        status[group[lane]] = BLOW_UP if blown else TOO_MANY_STEPS
-                        alive[lane] = False
-                        freeze(lanes, lane, plain, longest)
-                        lanes[X1 * LANES + lane] = lanes[V1 * LANES + lane] = 0.0
-            if detail >= GROWTH:
-                turn_tangents(lanes)
+            lane = 0
+            while doubtful:
+                if doubtful & 1 and not cross_lane(rows[lane * longest + n], lanes, lane, detail, work, record):
+                    blown = not abs(lanes[X * LANES + lane]) < LARGEST_DISPLACEMENT
+                    status[group[lane]] = BLOW_UP if blown else TOO_MANY_STEPS
+                    alive[lane] = False
+                    freeze(lanes, lane, plain, longest)
+                doubtful >>= 1
+                lane += 1
             if kicked[n] or detail == RECORDS:
                 for lane in range(LANES):
                     if alive[lane] and n < counts[lane]:
                         kick_lane(rows[lane * longest + n, COMMON], lanes, lane, record)
-            take_states(lanes)
+        if detail == GROWTH:
+            make_unit(lanes)
         for lane in range(LANES):
             p = group[lane]
-            if alive[lane] and not end_period(
-                lanes, lane, i, detail, directions[p], states[p], maps[p], growth[p], record, records[p]
-            ):
-                status[p] = BLOW_UP
-                alive[lane] = False
-                freeze(lanes, lane, plain, longest)
+            if alive[lane]:
+                done = not end_period(
+                    lanes, lane, i, detail, directions[p], states[p], maps[p], growth[p], record, records[p]
+                )
+                if done:
+                    status[p] = BLOW_UP
+                elif early_end:
+                    done = fill_if_recurring(states[p], i + 1)
+                if done:
+                    alive[lane] = False
+                    freeze(lanes, lane, plain, longest)
+        if not alive.any():
+            break

@@ -136,12 +136,16 @@ def fill_table(constants, harmonics, cells, counts, scratch, rows, slack):
             force[0], row[CLEARANCE] = constants[2], constants[3]
             load_series(constants, harmonics, middle, half, row, force)
             finish_clearance(row)
-            product_series(row[STIFFNESS:], row[CLEARANCE:], shift)
+            steady = row[CLEARANCE_BEND] == 0.0
+            if not steady:
+                product_series(row[STIFFNESS:], row[CLEARANCE:], shift)
             for place in (FREE, CONTACT):
                 branch = rows[r, place]
-                fundamental_series(branch[WAVES:], place == CONTACT, half, constants[1], row[STIFFNESS:], force, shift)
+                waves, stiffness = branch[WAVES : WAVES + 4 * TERMS], row[STIFFNESS:]
+                contact, b = place == CONTACT, row[CLEARANCE]
+                fundamental_series(waves, contact, half, constants[1], stiffness, force, shift, b, steady)
                 finish_maps(branch, row[RATE], row[CLEARANCE_BEND], slack)
-            row[FORCE_START] = value_at_end(force, 0, 1, -1.0)[0]
+            row[FORCE_START] = value_at_end(force, 0, -1.0)[0]
             r += 1
 
 
@@ -166,11 +170,11 @@ def load_series(constants, harmonics, middle, half, row, force):
 def finish_clearance(row):
     """Ends, bounds and curvature of the clearance, and a bound of the stiffness, from their series."""
     rate = row[RATE]
-    b0, d0 = value_at_end(row, CLEARANCE, 1, -1.0)
-    b1, d1 = value_at_end(row, CLEARANCE, 1, 1.0)
+    b0, d0 = value_at_end(row, CLEARANCE, -1.0)
+    b1, d1 = value_at_end(row, CLEARANCE, 1.0)
     row[END_CLEARANCE], row[END_CLEARANCE + 1] = b0, d0 * rate
     row[END_CLEARANCE + 2], row[END_CLEARANCE + 3] = b1, d1 * rate
-    bend = fourth_derivative_bound(row, CLEARANCE, 1) / 9.0
+    bend = fourth_derivative_bound(row, CLEARANCE) / 9.0
     row[CLEARANCE_BEND] = bend
     inner = 0.5 * (b0 + b1) + (d0 - d1) / 3.0
     low, high = min(b0 + 0.5 * d0, b1 - 0.5 * d1), max(b0 + 0.5 * d0, b1 - 0.5 * d1)
@@ -188,10 +192,10 @@ def finish_maps(row, rate, clearance_bend, slack):
 
     A map takes (x, v) to (m0 x + m1 v + m4 + side m6, m2 x + m3 v + m5 + side m7).
     """
-    p0, p1 = value_at_end(row, WAVES + P, 4, -1.0)
-    q0, q1 = value_at_end(row, WAVES + Q, 4, -1.0)
-    f0, f1 = value_at_end(row, WAVES + R_FORCE, 4, -1.0)
-    b0, b1 = value_at_end(row, WAVES + R_CLEARANCE, 4, -1.0)
+    p0, p1 = value_at_end(row, WAVES + P * TERMS, -1.0)
+    q0, q1 = value_at_end(row, WAVES + Q * TERMS, -1.0)
+    f0, f1 = value_at_end(row, WAVES + R_FORCE * TERMS, -1.0)
+    b0, b1 = value_at_end(row, WAVES + R_CLEARANCE * TERMS, -1.0)
     p1, q1, f1, b1 = p1 * rate, q1 * rate, f1 * rate, b1 * rate
     wronskian = p0 * q1 - p1 * q0
     row[INTO], row[INTO + 1] = q1 / wronskian, -q0 / wronskian
@@ -200,7 +204,7 @@ def finish_maps(row, rate, clearance_bend, slack):
     row[INTO + 6], row[INTO + 7] = (q0 * b1 - q1 * b0) / wronskian, (p1 * b0 - p0 * b1) / wronskian
     for column, wave in ((0, P), (1, Q), (4, R_FORCE), (6, R_CLEARANCE)):
         below = column + 2 if column < 2 else column + 1
-        value, slope = value_at_end(row, WAVES + wave, 4, 1.0)
+        value, slope = value_at_end(row, WAVES + wave * TERMS, 1.0)
         row[OUT + column], row[OUT + below] = value, slope * rate
     for line in (0, 2):
         p, q, extra = row[OUT + line], row[OUT + line + 1], line // 2
@@ -208,9 +212,11 @@ def finish_maps(row, rate, clearance_bend, slack):
         row[STEP + line + 1] = p * row[INTO + 1] + q * row[INTO + 3]
         row[STEP + 4 + extra] = p * row[INTO + 4] + q * row[INTO + 5] + row[OUT + 4 + extra]
         row[STEP + 6 + extra] = p * row[INTO + 6] + q * row[INTO + 7] + row[OUT + 6 + extra]
-    bend_p = fourth_derivative_bound(row, WAVES + P, 4) / 9.0
-    bend_q = fourth_derivative_bound(row, WAVES + Q, 4) / 9.0
-    bend_r = fourth_derivative_bound(row, WAVES + R_FORCE, 4) + fourth_derivative_bound(row, WAVES + R_CLEARANCE, 4)
+    bend_p = fourth_derivative_bound(row, WAVES + P * TERMS) / 9.0
+    bend_q = fourth_derivative_bound(row, WAVES + Q * TERMS) / 9.0
+    bend_r = fourth_derivative_bound(row, WAVES + R_FORCE * TERMS) + fourth_derivative_bound(
+        row, WAVES + R_CLEARANCE * TERMS
+    )
     row[BEND], row[BEND + 1], row[BEND + 2] = bend_p, bend_q, bend_r / 9.0
     slack[0] = max(slack[0], bend_p * abs(row[INTO]) + bend_q * abs(row[INTO + 2]))
     slack[1] = max(slack[1], bend_p * abs(row[INTO + 1]) + bend_q * abs(row[INTO + 3]))

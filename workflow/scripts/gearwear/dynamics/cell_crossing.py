@@ -22,15 +22,15 @@ from gearwear.dynamics.affine_table import (
 )
 from gearwear.dynamics.cell_exit import READY, clearance_at, first_exit
 from gearwear.dynamics.cell_extremes import IMPACTS, note_piece
-from gearwear.dynamics.cell_series import DEGREE
-from gearwear.dynamics.compiled import borrowing
+from gearwear.dynamics.cell_series import DEGREE, R_CLEARANCE, R_FORCE, TERMS, P, Q
+from gearwear.dynamics.compiled import borrowing, inlined
 
 STATES, GROWTH, MAPS, RECORDS = range(4)
 MAP = 49  # place in the work array, after those of cell_exit, of the cell's tangent map
 MOST_CROSSINGS = 200
 
 
-@borrowing
+@inlined
 def affine(branch, start, side, x, v):
     """A map of the row of a branch: see affine_table.finish_maps."""
     return (
@@ -39,28 +39,37 @@ def affine(branch, start, side, x, v):
     )
 
 
-@borrowing
-def fundamental_at(branch, rate, s):
-    """P, Q, R_F, R_b of a branch at s, and their derivatives by time."""
-    p, q, f, b = branch[WAVES], branch[WAVES + 1], branch[WAVES + 2], branch[WAVES + 3]
-    dp, dq, df, db = 0.0, 0.0, 0.0, 0.0
-    power = 1.0
+@inlined
+def series_and_slope(branch, wave, rate, s):
+    """One of P, Q, R_F, R_b of a branch at s, and its derivative by time."""
+    start = WAVES + wave * TERMS
+    value, slope, power = branch[start], 0.0, 1.0
     for j in range(1, DEGREE + 1):
-        at = WAVES + 4 * j
-        slope = j * power
+        slope += branch[start + j] * (j * power)
         power *= s
-        p += branch[at] * power
-        q += branch[at + 1] * power
-        f += branch[at + 2] * power
-        b += branch[at + 3] * power
-        dp += branch[at] * slope
-        dq += branch[at + 1] * slope
-        df += branch[at + 2] * slope
-        db += branch[at + 3] * slope
-    return p, q, f, b, dp * rate, dq * rate, df * rate, db * rate
+        value += branch[start + j] * power
+    return value, slope * rate
 
 
-@borrowing
+@inlined
+def fundamental_at(branch, free, rate, s):
+    """P, Q of a branch at s and their derivatives by time; without contact P is 1."""
+    p, dp = (1.0, 0.0) if free else series_and_slope(branch, P, rate, s)
+    q, dq = series_and_slope(branch, Q, rate, s)
+    return p, q, dp, dq
+
+
+@inlined
+def response_at(branch, side, rate, s):
+    """R_F + side R_b of a branch at s and its derivative by time."""
+    f, df = series_and_slope(branch, R_FORCE, rate, s)
+    if side == 0.0:
+        return f, df
+    b, db = series_and_slope(branch, R_CLEARANCE, rate, s)
+    return f + side * b, df + side * db
+
+
+@inlined
 def side_at_start(common, x, v):
     """Branch of a state at the start of a cell: by position, on the corner by velocity, at rest by acceleration."""
     side = 1.0 if x >= 0.0 else -1.0
@@ -72,7 +81,7 @@ def side_at_start(common, x, v):
     return side if gap > 0.0 else 0.0
 
 
-@borrowing
+@inlined
 def exit_of_branch(common, branch, middle, low, x, v, x1, v1, work):
     """First departure from a branch between s = low and the end of a cell, from the states at both ends.
 
@@ -134,13 +143,14 @@ def cross_cell(cell, side, x, v, detail, work, record, lane):
             if side == 0.0:
                 record[lane, IMPACTS] += 1.0
         if with_map:
-            p, q, _, _, dp, dq, _, _ = fundamental_at(branch, common[RATE], s)
+            p, q, dp, dq = fundamental_at(branch, side == 0.0, common[RATE], s)
             a, b, c, d = p * a + q * c, p * b + q * d, dp * a + dq * c, dp * b + dq * d
         side = corner if side == 0.0 else 0.0
         branch = cell[CONTACT if side != 0.0 else FREE]
-        p, q, f, e, dp, dq, df, de = fundamental_at(branch, common[RATE], s)
+        p, q, dp, dq = fundamental_at(branch, side == 0.0, common[RATE], s)
+        f, df = response_at(branch, side, common[RATE], s)
         share = 1.0 / (p * dq - q * dp)
-        gap_x, gap_v = x - (f + side * e), v - (df + side * de)
+        gap_x, gap_v = x - f, v - df
         x_middle, v_middle = (dq * gap_x - q * gap_v) * share, (p * gap_v - dp * gap_x) * share
         if with_map:
             a, b, c, d = (

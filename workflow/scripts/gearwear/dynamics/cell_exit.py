@@ -12,7 +12,7 @@ from gearwear.dynamics.affine_table import (
     WAVES,
 )
 from gearwear.dynamics.cell_series import DEGREE, TERMS
-from gearwear.dynamics.compiled import borrowing
+from gearwear.dynamics.compiled import inlined
 
 # Places in the work array: series of x, of dx/ds and of d2x/ds2, and whether they are up to date.
 MOTION, SLOPE, CURVE, READY = 0, 16, 32, 48
@@ -22,13 +22,14 @@ MOST_PIECES = 400
 NONE, CROSSES, UNDECIDED = 0, 1, 2
 
 
-@borrowing
+@inlined
 def set_motion(branch, middle, work):
     """Write the series of the motion on a branch that passes through (side, x, v) in the middle of its cell."""
     side, x, v = middle
     for j in range(TERMS):
-        at = WAVES + 4 * j
-        work[MOTION + j] = (branch[at] * x + branch[at + 1] * v) + (branch[at + 2] + side * branch[at + 3])
+        work[MOTION + j] = (branch[WAVES + j] * x + branch[WAVES + TERMS + j] * v) + (
+            branch[WAVES + 2 * TERMS + j] + side * branch[WAVES + 3 * TERMS + j]
+        )
     for j in range(TERMS - 1):
         work[SLOPE + j] = (j + 1) * work[MOTION + j + 1]
     for j in range(TERMS - 2):
@@ -36,7 +37,7 @@ def set_motion(branch, middle, work):
     work[READY] = 1.0
 
 
-@borrowing
+@inlined
 def series_at(work, start, s):
     """Value of a series of TERMS coefficients; four interleaved Horner schemes in s^4."""
     square = s * s
@@ -48,7 +49,17 @@ def series_at(work, start, s):
     return (a + s * b) + square * (c + s * d)
 
 
-@borrowing
+@inlined
+def short_series_at(work, start, s):
+    """Value of the first eight terms of a series: within 1e-5 of it, a first approximation."""
+    square = s * s
+    fourth = square * square
+    a, b = work[start] + fourth * work[start + 4], work[start + 1] + fourth * work[start + 5]
+    c, d = work[start + 2] + fourth * work[start + 6], work[start + 3] + fourth * work[start + 7]
+    return (a + s * b) + square * (c + s * d)
+
+
+@inlined
 def clearance_at(common, s):
     """Clearance b inside a cell, and its first and second derivative by s."""
     b, slope, curve = common[CLEARANCE], 0.0, 0.0
@@ -61,7 +72,7 @@ def clearance_at(common, s):
     return b, slope, curve
 
 
-@borrowing
+@inlined
 def margin_at(common, work, inward, corner, s):
     """Margin to the corner at corner b, its slope and its curvature by s."""
     b, slope, curve = clearance_at(common, s)
@@ -72,7 +83,7 @@ def margin_at(common, work, inward, corner, s):
     )
 
 
-@borrowing
+@inlined
 def hull_verdict(length, m0, d0, m1, d1, bend):
     """Whether a margin, not negative at first, crosses zero in a piece: NONE, CROSSES (once) or UNDECIDED.
 
@@ -91,7 +102,7 @@ def hull_verdict(length, m0, d0, m1, d1, bend):
     return UNDECIDED
 
 
-@borrowing
+@inlined
 def first_guess(m0, d0, m1, d1):
     """Approximate root in [0, 1] of a margin that falls below zero, from values and slopes at 0 and 1."""
     if d0 < 0.0:
@@ -109,16 +120,28 @@ def first_guess(m0, d0, m1, d1):
     return u
 
 
-@borrowing
+@inlined
+def better_guess(common, work, inward, corner, low, s, high):
+    """One Newton step on the first terms of the margin, kept in its bracket."""
+    b, slope, _ = clearance_at(common, s)
+    d = inward * (corner * short_series_at(work, SLOPE, s) - slope)
+    if d >= 0.0:
+        return s
+    return min(high, max(low, s - inward * (corner * short_series_at(work, MOTION, s) - b) / d))
+
+
+@inlined
 def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
     """Root of the margin in [low, high], where it falls below zero, and its slope there.
 
-    Halley's method kept in its bracket; its last step, below 1e-8, is taken without another evaluation.
+    Halley's method kept in its bracket; its last step is taken without another evaluation, if it is so small that the
+    third derivative (with a constant clearance) or the second gives the slope to round-off.
     """
     if m0 <= 0.0 and d0 < 0.0:
         return low, d0
-    length = high - low
+    length, last = high - low, 1e-6 if common[CLEARANCE_BEND] == 0.0 else 1e-8
     s = low + length * min(1.0, max(0.0, first_guess(m0, length * d0, m1, length * d1)))
+    s = better_guess(common, work, inward, corner, low, s, high)
     d = d1
     for _ in range(80):
         m, d, c = margin_at(common, work, inward, corner, s)
@@ -130,8 +153,9 @@ def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
         if d < 0.0:
             change = -2.0 * m * d / (2.0 * d * d - m * c)
             trial = s + change
-            if abs(change) < 1e-8 and abs(change * c) <= -1e-5 * d:
-                return min(1.0, trial), d + c * change
+            if abs(change) < last and abs(change * c) <= -1e-5 * d:
+                third = 6.0 * work[MOTION + 3] + s * (24.0 * work[MOTION + 4] + s * 60.0 * work[MOTION + 5])
+                return min(1.0, trial), d + change * (c + 0.5 * change * inward * corner * third)
             if low < trial < high:
                 following = trial
         if following in (low, high) or m == 0.0:
@@ -140,7 +164,7 @@ def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
     return s, d
 
 
-@borrowing
+@inlined
 def first_exit(common, branch, middle, work, inward, corner, low, m0, d0, m_end, d_end, bend):
     """First departure of a branch through one corner between s = low and 1: (found, s, slope of the margin there).
 

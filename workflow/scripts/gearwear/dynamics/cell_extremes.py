@@ -14,7 +14,7 @@ from gearwear.dynamics.affine_table import (
 )
 from gearwear.dynamics.cell_exit import MOTION, READY, SIXTH, series_at, set_motion
 from gearwear.dynamics.cell_series import DEGREE, TERMS, fourth_derivative_bound
-from gearwear.dynamics.compiled import borrowing
+from gearwear.dynamics.compiled import borrowing, inlined
 
 LOWEST, HIGHEST, FORCE, LOST, IMPACTS = range(5)
 RECORDS = 5
@@ -24,7 +24,7 @@ WORK = 112
 MOST_PIECES = 60
 
 
-@borrowing
+@inlined
 def hull_top(length, f0, d0, f1, d1, bend):
     """Upper bound of a function over a piece; ``bend`` as in cell_exit.hull_verdict."""
     half = 0.5 * length
@@ -33,7 +33,7 @@ def hull_top(length, f0, d0, f1, d1, bend):
     return max(max(f0, f1), max(q2, max(q1, q3)))
 
 
-@borrowing
+@inlined
 def turns_down_once(length, f0, d0, f1, d1, bend):
     """Whether the hull has its slopes first up, then down, with one change of sign."""
     half = 0.5 * length
@@ -91,12 +91,13 @@ def highest(work, start, sign, low, f0, d0, end, f_end, d_end, bend, best):
 @borrowing
 def set_load(common, side, work):
     """Write the series of the mesh force k (side x - b) and of its derivatives, up to the degree kept."""
-    for n in range(TERMS):
+    for n in range(2 * TERMS):
         work[LOAD + n] = 0.0
     for n in range(DEGREE + 1):
         margin = side * work[MOTION + n] - common[CLEARANCE + n]
-        for i in range(DEGREE + 1 - n):
+        for i in range(TERMS):
             work[LOAD + n + i] += common[STIFFNESS + i] * margin
+    work[LOAD + TERMS - 1] = 0.0
     for n in range(TERMS - 1):
         work[LOAD_SLOPE + n] = (n + 1) * work[LOAD + n + 1]
     work[LOAD_SLOPE + TERMS - 1] = 0.0
@@ -119,27 +120,30 @@ def note_piece(common, branch, middle, low, x, v, high, x1, v1, work, record, la
     """
     side, half = middle[0], common[HALF_WIDTH]
     length = high - low
-    bend = branch[BEND] * abs(middle[1]) + branch[BEND + 1] * abs(middle[2])
-    bend += branch[BEND + 2]
-    top = hull_top(length, x, v * half, x1, v1 * half, bend)
-    bottom = -hull_top(length, -x, -v * half, -x1, -v1 * half, bend)
+    bend = branch[BEND] * abs(middle[1]) + branch[BEND + 1] * abs(middle[2]) + branch[BEND + 2]
+    d0, d1 = v * half, v1 * half
+    record[lane, HIGHEST] = max(record[lane, HIGHEST], max(x, x1))
+    record[lane, LOWEST] = min(record[lane, LOWEST], min(x, x1))
+    top = hull_top(length, x, d0, x1, d1, bend)
+    bottom = -hull_top(length, -x, -d0, -x1, -d1, bend)
+    load = 0.0
     if side == 0.0:
         record[lane, LOST] += length * half
-        load = 0.0
     else:
         load = common[STIFFNESS_HIGH] * (max(side * top, side * bottom) - common[CLEARANCE_LOW])
-    new = top > record[lane, HIGHEST] or bottom < record[lane, LOWEST] or load > record[lane, FORCE]
-    if new and work[READY] == 0.0:
+    higher, lower = top > record[lane, HIGHEST], bottom < record[lane, LOWEST]
+    heavier = load > record[lane, FORCE]
+    if (higher or lower or heavier) and work[READY] == 0.0:
         set_motion(branch, middle, work)
-    if top > record[lane, HIGHEST]:
+    if higher:
         best = record[lane, HIGHEST]
-        record[lane, HIGHEST] = highest(work, MOTION, 1.0, low, x, v * half, high, x1, v1 * half, bend, best)
-    if bottom < record[lane, LOWEST]:
+        record[lane, HIGHEST] = highest(work, MOTION, 1.0, low, x, d0, high, x1, d1, bend, best)
+    if lower:
         best = -record[lane, LOWEST]
-        record[lane, LOWEST] = -highest(work, MOTION, -1.0, low, -x, -v * half, high, -x1, -v1 * half, bend, best)
-    if load > record[lane, FORCE]:
+        record[lane, LOWEST] = -highest(work, MOTION, -1.0, low, -x, -d0, high, -x1, -d1, bend, best)
+    if heavier:
         set_load(common, side, work)
-        bend = fourth_derivative_bound(work, LOAD, 1) / 9.0
+        bend = fourth_derivative_bound(work, LOAD) / 9.0
         f0, d0 = series_at(work, LOAD, low), series_at(work, LOAD_SLOPE, low)
         f1, d1 = series_at(work, LOAD, high), series_at(work, LOAD_SLOPE, high)
         record[lane, FORCE] = highest(work, LOAD, 1.0, low, f0, d0, high, f1, d1, bend, record[lane, FORCE])

@@ -32,8 +32,8 @@ def add_wave(series, start, cosine, sine, angle, turn):
 
 
 @borrowing
-def fundamental_series(waves, in_contact, half_width, friction, stiffness, force, shift):
-    """Write the coefficients of P, Q, R_F, R_b, four a power, of a cell.
+def fundamental_series(waves, in_contact, half_width, friction, stiffness, force, shift, clearance, steady):
+    """Write the coefficients of P, then Q, R_F and R_b of a cell, TERMS of each.
 
     Power series of x'' + c x' + k x = F + side k b, term by term: with H the half width,
     (j + 1)(j + 2) x_{j+2} = H^2 (G_j - sum_i k_i x_{j-i}) - c H (j + 1) x_{j+1}.
@@ -42,29 +42,33 @@ def fundamental_series(waves, in_contact, half_width, friction, stiffness, force
     ----------
     waves : (4 TERMS,) where they go
     in_contact : False without contact, k = 0
+    clearance, steady : b in the middle, and whether it stays; then R_b = b (1 - P), with k b in proportion to k
     stiffness, force, shift : (TERMS,) Taylor coefficients in s of k, F and k b
     """
     square, damping = half_width * half_width, friction * half_width
     for n in range(4 * TERMS):
         waves[n] = 0.0
-    waves[P] = 1.0
-    waves[4 + Q] = half_width
+    p, q, f, b = waves[:TERMS], waves[TERMS : 2 * TERMS], waves[2 * TERMS : 3 * TERMS], waves[3 * TERMS :]
+    p[0], q[1] = 1.0, half_width
     for j in range(DEGREE - 1):
-        p, q, f, b = 0.0, 0.0, force[j], 0.0
+        new_p, new_q, new_f, new_b = 0.0, 0.0, force[j], 0.0
         if in_contact:
-            b = shift[j]
             for i in range(j + 1):
-                at = 4 * (j - i)
-                p -= stiffness[i] * waves[at + P]
-                q -= stiffness[i] * waves[at + Q]
-                f -= stiffness[i] * waves[at + R_FORCE]
-                b -= stiffness[i] * waves[at + R_CLEARANCE]
-        before, after = 4 * (j + 1), 4 * (j + 2)
+                new_p -= stiffness[i] * p[j - i]
+                new_q -= stiffness[i] * q[j - i]
+                new_f -= stiffness[i] * f[j - i]
+            if not steady:
+                new_b = shift[j]
+                for i in range(j + 1):
+                    new_b -= stiffness[i] * b[j - i]
         share, drag = 1.0 / ((j + 1) * (j + 2)), damping * (j + 1)
-        waves[after + P] = (square * p - drag * waves[before + P]) * share
-        waves[after + Q] = (square * q - drag * waves[before + Q]) * share
-        waves[after + R_FORCE] = (square * f - drag * waves[before + R_FORCE]) * share
-        waves[after + R_CLEARANCE] = (square * b - drag * waves[before + R_CLEARANCE]) * share
+        p[j + 2] = (square * new_p - drag * p[j + 1]) * share
+        q[j + 2] = (square * new_q - drag * q[j + 1]) * share
+        f[j + 2] = (square * new_f - drag * f[j + 1]) * share
+        b[j + 2] = (square * new_b - drag * b[j + 1]) * share
+    if in_contact and steady:
+        for j in range(2, DEGREE + 1):
+            b[j] = -clearance * p[j]
 
 
 @borrowing
@@ -78,11 +82,11 @@ def product_series(first, second, result):
 
 
 @borrowing
-def value_at_end(series, start, stride, sign):
+def value_at_end(series, start, sign):
     """Sum of a series at s = sign (-1 or 1), and of its slope; the smallest terms first."""
     value, slope = 0.0, 0.0
     for n in range(DEGREE, -1, -1):
-        term = series[start + stride * n]
+        term = series[start + n]
         if n % 2 == 1:
             term *= sign
         value += term
@@ -91,9 +95,9 @@ def value_at_end(series, start, stride, sign):
 
 
 @borrowing
-def fourth_derivative_bound(series, start, stride):
+def fourth_derivative_bound(series, start):
     """Bound of the fourth derivative over s in [-1, 1]: the sum of the moduli of its coefficients."""
     bound = 0.0
     for n in range(4, DEGREE + 1):
-        bound += n * (n - 1) * (n - 2) * (n - 3) * abs(series[start + stride * n])
+        bound += n * (n - 1) * (n - 2) * (n - 3) * abs(series[start + n])
     return bound

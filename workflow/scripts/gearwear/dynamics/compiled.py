@@ -54,3 +54,6 @@ njit = functools.partial(numba.njit, cache=True, nogil=True, fastmath=False, err
 # For kernels that allocate nothing: they borrow the arrays of their caller without counting references to them. In
 # small functions the counting, in atomic instructions, would take most of the time.
 borrowing = functools.partial(njit, _nrt=False)
+
+# The same, and written into the caller by the compiler: for the small formulas inside the kernels.
+inlined = functools.partial(borrowing, forceinline=True)

@@ -81,7 +81,7 @@ def strobe(
     check_request(tangent, periods, first_period, tolerance, detail, backend)
     if backend == GENERAL or not affine_table.applies_to(oscillator):
         return _general(oscillator, state, periods, first_period, tolerance, tangent, (), detail)[0]
-    return _affine(oscillator, state, periods, tangent, (), detail)[0]
+    return _affine(oscillator, state, periods, tangent / np.hypot(*tangent), (), detail)[0]
 
 
 def trace(

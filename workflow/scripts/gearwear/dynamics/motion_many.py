@@ -3,8 +3,9 @@
 import numpy as np
 
 from gearwear.dynamics.affine_batch import count_all, run_many
-from gearwear.dynamics.motion import AUTOMATIC, GENERAL, RECORDS, Strobe, check_request, collected, strobe
+from gearwear.dynamics.motion import AUTOMATIC, GENERAL, RECORDS, STATES, Strobe, check_request, collected, strobe
 from gearwear.dynamics.oscillator import Oscillator
+from gearwear.dynamics.periodic import Harmonics
 
 LONGEST_TABLE = 1024  # cells: longer tables of sixteen lanes would take too much memory
 
@@ -18,6 +19,7 @@ def strobe_many(
     tangent=(1.0, 0.0),
     detail: int = RECORDS,
     backend: str = AUTOMATIC,
+    early_end: bool = False,
 ) -> Strobe:
     """Run many oscillators, each from its own state at mesh phase 0.
 
@@ -29,6 +31,8 @@ def strobe_many(
     states : (points, 2) or (2,) displacement and velocity
     tangent : (points, 2) or (2,)
     periods, first_period, tolerance, detail, backend : as in motion.strobe
+    early_end : stop a point as soon as its state recurs to the last bit, and fill in the rest: the same states in
+        less time; for the detail STATES
 
     Returns
     -------
@@ -38,10 +42,12 @@ def strobe_many(
     Raises
     ------
     ValueError
-        As motion.strobe.
+        As motion.strobe; for an early end with more detail than STATES.
     """
     points = len(oscillators)
     starts, directions = _pairs(states, points, "state"), _pairs(tangent, points, "tangent")
+    if early_end and detail != STATES:
+        raise ValueError(f"early_end: fills in states only; ask for the detail STATES, {STATES}, not {detail}")
     if points == 0:
         raise ValueError("oscillators: the list is empty; give at least one")
     for direction in directions if np.ndim(tangent) > 1 else directions[:1]:
@@ -59,7 +65,8 @@ def strobe_many(
             counts = counts[counts <= LONGEST_TABLE]
     if together.size:
         chosen = [oscillators[p] for p in together]
-        parts.append((together, _run(chosen, stacked, counts, starts[together], directions[together], periods, detail)))
+        unit = directions[together] / np.hypot(*directions[together].T)[:, None]
+        parts.append((together, _run(chosen, stacked, counts, starts[together], unit, periods, detail, early_end)))
     for p in np.flatnonzero(single):
         run = strobe(
             oscillators[p], starts[p], periods, first_period, tolerance, directions[p], detail=detail, backend=backend
@@ -82,17 +89,20 @@ def _merged(parts, points: int) -> Strobe:
     return Strobe(*fields)
 
 
-def _run(oscillators, stacked, counts, starts, directions, periods, detail):
+def _run(oscillators, stacked, counts, starts, directions, periods, detail, early_end):
     order = np.argsort(counts, kind="stable")
     shared = [False] + [oscillators[a] is oscillators[b] for a, b in zip(order[1:], order[:-1], strict=True)]
     states, maps, growth, records, status = run_many(
-        *stacked, np.array(shared), order, counts, starts, directions, int(periods), detail
+        *stacked, np.array(shared), order, counts, starts, directions, int(periods), detail, early_end
     )
     period = 2 * np.pi / stacked[0][:, :1]
     return collected(period, states, maps, growth, records, directions, status, detail)
 
 
 def _stack(oscillators):
+    """Coefficients of all oscillators in common arrays: see affine_batch.run_many."""
+    if all(isinstance(o.stiffness, Harmonics) and isinstance(o.error, Harmonics) for o in oscillators):
+        return _stack_of_harmonics(oscillators)
     parts = [oscillator.coefficients for oscillator in oscillators]
     rows = max(part.harmonics.shape[0] for part in parts)
     harmonics = np.zeros((len(parts), rows, 6))
@@ -101,6 +111,29 @@ def _stack(oscillators):
     places = np.cumsum([0] + [len(part.cells) for part in parts])
     cells = np.concatenate([part.cells for part in parts])
     return np.array([part.constants for part in parts], dtype=float), harmonics, cells, places
+
+
+def _stack_of_harmonics(oscillators):
+    """The same for oscillators without tables, in a tenth of the time."""
+    points = len(oscillators)
+    waves = [(o.stiffness, o.error, o.clearance) for o in oscillators]
+    rows = max(len(wave.amplitudes) for three in waves for wave in three)
+    padding = (0.0,) * rows
+    amplitudes = np.array([[(w.amplitudes + padding)[:rows] for w in three] for three in waves]).reshape(
+        points, 3, rows
+    )
+    phases = np.array([[(w.phases + padding)[:rows] for w in three] for three in waves]).reshape(points, 3, rows)
+    constants = np.array(
+        [(o.frequency, 2 * o.damping_ratio, o.mean_force, o.clearance.mean, *o.torque) for o in oscillators]
+    )
+    scale = np.ones((points, 3, rows))
+    scale[:, 1] = (np.arange(1, rows + 1) * constants[:, :1]) ** 2
+    harmonics = np.empty((points, rows, 6))
+    harmonics[:, :, 0::2] = (scale * (amplitudes * np.cos(phases))).transpose(0, 2, 1)
+    harmonics[:, :, 1::2] = (-scale * (amplitudes * np.sin(phases))).transpose(0, 2, 1)
+    cells = np.zeros((points, 6))
+    cells[:, 1], cells[:, 2] = 1.0, [o.stiffness.mean for o in oscillators]
+    return constants, harmonics, cells, np.arange(points + 1)
 
 
 def _pairs(values, points: int, name: str) -> np.ndarray:

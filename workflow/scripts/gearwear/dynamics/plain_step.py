@@ -1,5 +1,7 @@
 """Sixteen states through a cell that holds no corner for them: one loop without branches, made for vector registers."""
 
+import math
+
 import numpy as np
 
 from gearwear.dynamics.affine_flow import stays
@@ -12,13 +14,14 @@ from gearwear.dynamics.affine_table import (
     HALF_WIDTH,
     STEP,
 )
-from gearwear.dynamics.compiled import borrowing
+from gearwear.dynamics.compiled import borrowing, inlined
 
 LANES = 16
 # Columns of the plain steps: the map in contact (8), what of the free one is not 1 or 0 (4), half width, clearances.
 FREE_STEP, HALF, LOW, HIGH, PLAIN = 8, 12, 13, 14, 15
-# Places of the lanes, in units of LANES: state before and after, side, map of the cell, tangent map, whether it stays.
-X, V, X1, V1, SIDE, M0, M1, M2, M3, T0, T1, T2, T3, STAYS, PLACES = range(15)
+# Places of the lanes, in units of LANES: state, state before the cell, side, tangent map before the cell, tangent map,
+# growth.
+X, V, X0, V0, SIDE, S0, S1, S2, S3, T0, T1, T2, T3, GROWN, PLACES = range(15)
 
 
 @borrowing
@@ -45,9 +48,12 @@ def pack_plain(rows, first, cells, plain, lane):
             plain[n, column * LANES + lane] = rows[r, COMMON, source]
 
 
-@borrowing
-def plain_steps(cell, slack, lanes):
-    """Step every lane through a cell on its branch; returns 1 if one of them may have met a corner, else 0."""
+@inlined
+def plain_steps(cell, slack, lanes, vectors):
+    """Step every lane through a cell on its branch, with 0 to 2 tangent vectors.
+
+    Returns the lanes that may have met a corner, bit by bit.
+    """
     doubtful = 0
     for lane in range(LANES):
         x, v, side = lanes[X * LANES + lane], lanes[V * LANES + lane], lanes[SIDE * LANES + lane]
@@ -75,28 +81,26 @@ def plain_steps(cell, slack, lanes):
             slack[LANES + lane],
             slack[2 * LANES + lane],
         )
-        doubtful |= 0 if sure else 1
-        lanes[X1 * LANES + lane], lanes[V1 * LANES + lane] = x1, v1
-        lanes[M0 * LANES + lane], lanes[M1 * LANES + lane] = m0, m1
-        lanes[M2 * LANES + lane], lanes[M3 * LANES + lane] = m2, m3
-        lanes[STAYS * LANES + lane] = 1.0 if sure else 0.0
+        doubtful |= 0 if sure else 1 << lane
+        lanes[X0 * LANES + lane], lanes[V0 * LANES + lane] = x, v
+        lanes[X * LANES + lane], lanes[V * LANES + lane] = x1, v1
+        if vectors >= 1:
+            p, q = lanes[T0 * LANES + lane], lanes[T2 * LANES + lane]
+            lanes[S0 * LANES + lane], lanes[S2 * LANES + lane] = p, q
+            lanes[T0 * LANES + lane], lanes[T2 * LANES + lane] = m0 * p + m1 * q, m2 * p + m3 * q
+        if vectors == 2:
+            p, q = lanes[T1 * LANES + lane], lanes[T3 * LANES + lane]
+            lanes[S1 * LANES + lane], lanes[S3 * LANES + lane] = p, q
+            lanes[T1 * LANES + lane], lanes[T3 * LANES + lane] = m0 * p + m1 * q, m2 * p + m3 * q
     return doubtful
 
 
-@borrowing
-def turn_tangents(lanes):
-    """Multiply the tangent map of every lane by the map of its cell."""
+@inlined
+def make_unit(lanes):
+    """Make the first tangent vector of every lane one of length 1; its square length goes to GROWN."""
     for lane in range(LANES):
-        m0, m1 = lanes[M0 * LANES + lane], lanes[M1 * LANES + lane]
-        m2, m3 = lanes[M2 * LANES + lane], lanes[M3 * LANES + lane]
-        a, b = lanes[T0 * LANES + lane], lanes[T1 * LANES + lane]
-        c, d = lanes[T2 * LANES + lane], lanes[T3 * LANES + lane]
-        lanes[T0 * LANES + lane], lanes[T1 * LANES + lane] = m0 * a + m1 * c, m0 * b + m1 * d
-        lanes[T2 * LANES + lane], lanes[T3 * LANES + lane] = m2 * a + m3 * c, m2 * b + m3 * d
-
-
-@borrowing
-def take_states(lanes):
-    """Make the states after a cell those before the next."""
-    for k in range(2 * LANES):
-        lanes[X * LANES + k] = lanes[X1 * LANES + k]
+        p, q = lanes[T0 * LANES + lane], lanes[T2 * LANES + lane]
+        square = p * p + q * q
+        share = 1.0 / math.sqrt(square)
+        lanes[T0 * LANES + lane], lanes[T2 * LANES + lane] = p * share, q * share
+        lanes[GROWN * LANES + lane] = square
