@@ -10,6 +10,7 @@ import argparse
 import json
 import os
 import platform
+import subprocess
 import sys
 import time
 from pathlib import Path
@@ -20,7 +21,6 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "workflow" / "scripts"))
 
 import numpy as np  # noqa: E402  (the number of threads must be set first)
-from rivals import heyoka_sweep, scipy_odeint, scipy_solve_ivp  # noqa: E402
 
 from gearwear.dynamics.motion import GENERAL, GROWTH, MAPS, RECORDS, STATES, strobe  # noqa: E402
 from gearwear.dynamics.motion_many import strobe_many  # noqa: E402
@@ -84,6 +84,8 @@ def interleaved(repeats):
 
 def others(repeats, periods):
     """Seconds of the other integrators, scaled to W, a list each."""
+    from rivals import heyoka_sweep, scipy_odeint, scipy_solve_ivp
+
     subset = FREQUENCIES[::20]
     scale = len(FREQUENCIES) / len(subset) * PERIODS / periods
     rivals = {
@@ -124,11 +126,14 @@ def parameter_map():
 
 
 def peak_memory():
-    """Megabytes this process has used at most."""
-    for line in Path("/proc/self/status").read_text().splitlines():
-        if line.startswith("VmHWM"):
-            return int(line.split()[1]) / 1024
-    return float("nan")
+    """Megabytes that a fresh process uses at most for W and W+L."""
+    code = (
+        "import kernel; many = kernel.many; points = kernel.oscillators(kernel.FREQUENCIES); "
+        "many(points, kernel.PERIODS, kernel.STATES); many(points, kernel.PERIODS, kernel.GROWTH); "
+        "print([line for line in open('/proc/self/status') if line.startswith('VmHWM')][0].split()[1])"
+    )
+    run = [sys.executable, "-c", code]
+    return int(subprocess.run(run, cwd=ROOT / "benchmarks", capture_output=True, check=True).stdout) / 1024
 
 
 def main():
@@ -151,7 +156,7 @@ def main():
     growing = linearity()
     per_point = {points: 1e6 * value / points for points, value in growing.items()}
     print("microseconds a point:", ", ".join(f"{points} points {value:.0f}" for points, value in per_point.items()))
-    print(f"peak memory of W, W+L and maps: {memory:.0f} MB")
+    print(f"peak memory of W and W+L: {memory:.0f} MB")
     result = {"seconds": seconds, "medians": medians, "linearity": growing, "megabytes": memory}
     if not chosen.skip_map:
         result["map"] = parameter_map()
