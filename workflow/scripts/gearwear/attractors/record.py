@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearwear.dynamics.attractors import Attractor
+from gearwear.attractors.settling import Attractor
 
 _RENAMED = {"exponent": "lyapunov_exponent", "exponent_error": "lyapunov_exponent_error"}
 _WHOLE = ("motion_class", "reason", "period", "transient_periods")

@@ -5,8 +5,8 @@ import dataclasses
 import numpy as np
 import pytest
 
+from gearwear.attractors.settling import Settling, settle
 from gearwear.dynamics import motion_class
-from gearwear.dynamics.attractors import Settling, settle
 from gearwear.dynamics.oscillator import ExternalTorque, Oscillator
 from gearwear.dynamics.periodic import Harmonics
 

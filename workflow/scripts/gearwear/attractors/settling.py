@@ -4,10 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwear.attractors.section import BATCHES, is_closed_curve, mean_and_error, recurrence
 from gearwear.dynamics import motion_class
 from gearwear.dynamics.motion import BLOW_UP, COMPLETED, GROWTH, Strobe, monodromy, strobe
 from gearwear.dynamics.oscillator import Oscillator
-from gearwear.dynamics.section import BATCHES, is_closed_curve, mean_and_error, recurrence
 
 
 class Settling(NamedTuple):
