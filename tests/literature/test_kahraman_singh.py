@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from gearwear.dynamics.attractors import Settling, settle
+from gearwear.attractors.settling import Settling, settle
 from gearwear.dynamics.motion import monodromy, strobe
 from gearwear.dynamics.oscillator import Oscillator
 from gearwear.dynamics.periodic import Harmonics

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from gearwear.dynamics.attractors import Settling, settle
-from gearwear.dynamics.evidence import end_of
+from gearwear.attractors.record import end_of
+from gearwear.attractors.settling import Settling, settle
 from gearwear.dynamics.excitation import excitation, rest_state, restoring_force
 from gearwear.dynamics.motion import trace
 from gearwear.dynamics.motion_class import class_name

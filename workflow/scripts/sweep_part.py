@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from gearwear.dynamics.attractors import Settling, settle
-from gearwear.dynamics.evidence import columns, end_of
+from gearwear.attractors.record import columns, end_of
+from gearwear.attractors.settling import Settling, settle
 from gearwear.dynamics.excitation import excitation, rest_state, swept_oscillator
 from gearwear.dynamics.parts import indices
 from gearwear.plumbing import stage, store

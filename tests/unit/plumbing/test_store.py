@@ -57,7 +57,17 @@ def test_every_variable_carries_its_unit_and_name(saved):
 
 def test_every_field_has_a_unit_unless_it_is_a_label_or_an_index():
     without = {name for name, field in FIELDS.items() if not field.units}
-    integers_and_words = {"gear", "pair", "influence", "partner", "entering", "leaving", "motion_class", "reason"}
+    integers_and_words = {
+        "gear",
+        "pair",
+        "influence",
+        "partner",
+        "entering",
+        "leaving",
+        "motion_class",
+        "reason",
+        "conflict",
+    }
     integers_and_words |= {"branch_index", "branch_parent", "stable", "special_point"}
     integers_and_words |= {f"branch_{side}{rest}" for side in ("start", "end") for rest in ("", "_remark")}
     assert without == integers_and_words

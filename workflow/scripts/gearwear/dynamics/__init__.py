@@ -1,1 +1,1 @@
-"""Nonlinear oscillator of a gear pair with backlash: its forcing, its integrator and its attractors."""
+"""Nonlinear oscillator of a gear pair with backlash: its forcing, its integrators and its motion."""

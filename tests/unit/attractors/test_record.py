@@ -1,7 +1,7 @@
 import numpy as np
 
-from gearwear.dynamics.attractors import Attractor, Settling, settle
-from gearwear.dynamics.evidence import columns, end_of
+from gearwear.attractors.record import columns, end_of
+from gearwear.attractors.settling import Attractor, Settling, settle
 from gearwear.dynamics.motion import strobe
 from gearwear.dynamics.oscillator import Oscillator
 from gearwear.dynamics.periodic import Harmonics

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gearwear.dynamics.section import is_closed_curve, mean_and_error, recurrence
+from gearwear.attractors.section import is_closed_curve, mean_and_error, recurrence
 
 SAMPLES = np.arange(241)
 

@@ -4,10 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 
-from gearwear.dynamics.attractors import Attractor
+from gearwear.attractors.settling import Attractor
 
 _RENAMED = {"exponent": "lyapunov_exponent", "exponent_error": "lyapunov_exponent_error"}
-_WHOLE = ("motion_class", "reason", "period", "transient_periods")
+_WHOLE = (
+    "motion_class",
+    "reason",
+    "conflict",
+    "period",
+    "recurrence_period",
+    "stable_orbit_period",
+    "transient_periods",
+)
 _SECTION = {"displacement": "section_displacement", "velocity": "section_velocity"}
 
 

@@ -1,0 +1,1 @@
+"""Attractors: what a motion settles to, its class and the evidence for it."""
