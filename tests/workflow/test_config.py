@@ -72,7 +72,7 @@ def test_the_table_follows_the_stages_given():
     table = table_text(check(load("config.yaml")), {"grinding": ("grid", "case.flash", "sweeps.{sweep}")})
     stages = {line.split(" | ")[0].strip("| `"): line.split(" | ")[-1].strip("| ") for line in table.splitlines()}
     assert stages["grid.mesh_cells"] == stages["cases.<case>.flash"] == stages["sweeps.ste.points"] == "grinding"
-    assert stages["sweeps.start"] == stages["wear.law"] == ""
+    assert stages["dynamics.tolerance"] == stages["wear.law"] == ""
 
 
 def test_every_key_is_read_by_a_stage_or_only_decides_which_files_are_made():

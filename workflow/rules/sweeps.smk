@@ -25,7 +25,7 @@ rule join_sweep:
     input:
         parts=gather.sweep("results/{{case}}/sweeps/parts/{{sweep}}/{scatteritem}.nc"),
     output:
-        "results/{case}/sweeps/{sweep}.nc",
+        "results/{case}/sweeps/restart/{sweep}.nc",
     log:
         "results/logs/{case}/join_sweep/{sweep}.log",
     benchmark:
@@ -39,6 +39,31 @@ rule join_sweep:
         "../scripts/join_sweep.py"
 
 
+rule carry_sweep:
+    input:
+        geometry="results/geometry.nc",
+        mesh_stiffness=final("mesh_stiffness"),
+        transmission_error=final("transmission_error"),
+        backlash=final("backlash"),
+        reference_stiffness=reference("mesh_stiffness"),
+        reference_error=reference("transmission_error"),
+    output:
+        "results/{case}/sweeps/{order}/{sweep}.nc",
+    log:
+        "results/logs/{case}/carry_sweep/{order}/{sweep}.log",
+    benchmark:
+        "results/benchmarks/{case}/carry_sweep/{order}/{sweep}.tsv"
+    wildcard_constraints:
+        order="up|down",
+    params:
+        cfg=cfg("sweep"),
+        code=code("carry_sweep.py"),
+    message:
+        "Case {wildcards.case}: sweeping {wildcards.sweep} {wildcards.order}, every point from the one before."
+    script:
+        "../scripts/carry_sweep.py"
+
+
 rule continue_orbits:
     input:
         geometry="results/geometry.nc",
@@ -47,7 +72,10 @@ rule continue_orbits:
         backlash=final("backlash"),
         reference_stiffness=reference("mesh_stiffness"),
         reference_error=reference("transmission_error"),
-        sweep="results/{case}/sweeps/{sweep}.nc",
+        sweeps=expand(
+            "results/{{case}}/sweeps/{order}/{{sweep}}.nc",
+            order=("restart", "up", "down"),
+        ),
     output:
         "results/{case}/branches/{sweep}.nc",
     log:

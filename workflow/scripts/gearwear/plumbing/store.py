@@ -35,7 +35,9 @@ _MADE_BY = {
     "backlash": ("open_backlash",),
     "response": ("solve_response",),
     "parts": ("sweep_part",),
-    "sweeps": ("join_sweep",),
+    "restart": ("join_sweep",),
+    "up": ("carry_sweep",),
+    "down": ("carry_sweep",),
     "branches": ("continue_orbits",),
     "portraits": ("trace_portraits",),
 }
@@ -79,7 +81,7 @@ def _makers(path: Path) -> tuple[str, ...]:
     folder = path.parent.name
     if path.parent.parent.name == "parts":
         return _MADE_BY["parts"]
-    if folder in ("sweeps", "branches", "portraits") or re.fullmatch(r"q\d{3}", path.stem):
+    if folder in ("branches", "portraits") or path.parent.parent.name == "sweeps" or re.fullmatch(r"q\d{3}", path.stem):
         return _MADE_BY.get(folder, ())
     return _MADE_BY.get(path.stem, ()) if path.stem in ("geometry", "temperature", "deformation") else ()
 
