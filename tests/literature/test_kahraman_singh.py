@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from gearwear.attractors.chain import carried
+from gearwear.attractors.hysteresis import differing
 from gearwear.attractors.settling import Settling, settle
 from gearwear.dynamics.motion import monodromy, strobe
 from gearwear.dynamics.oscillator import Oscillator
@@ -107,6 +109,18 @@ def test_folds_of_period_one(oscillator_at, fold, first, branch):
     assert reached == pytest.approx(fold, abs=1e-6)
     beyond = strobe(oscillator_at(fold + forward * 1e-4), state, 1500).states[-1]
     assert abs(beyond[0] - state[0]) > 0.005
+
+
+def test_sweeps_up_and_down_differ_between_the_folds():
+    """The primary resonance of the large fluctuation at half the frequency: folds at 0.577217 and 0.620486."""
+    frequencies = np.linspace(0.5622, 0.6322, 15)
+    both = []
+    for order in (frequencies, frequencies[::-1]):
+        both.append(carried(map(large_fluctuation, order), lambda _: (0.0, 0.0), SETTLING))
+    both[1].reverse()
+    sections = [[np.stack([one.displacement, one.velocity], axis=-1) for one in motions] for motions in both]
+    found = differing([[one.motion_class for one in motions] for motions in both], np.array(sections))
+    np.testing.assert_array_equal(found, (frequencies > 0.577217) & (frequencies < 0.620486))
 
 
 @pytest.mark.parametrize(

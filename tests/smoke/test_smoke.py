@@ -66,10 +66,14 @@ def test_every_file_says_what_it_is(smoke_run):
         ("with/temperature.nc", ["contact_temperature", "flash_temperature"]),
         ("with/deformation.nc", ["thermal_growth"]),
         *[
-            (f"with/sweeps/{sweep}.nc", [sweep, "section_displacement", "section_velocity", "motion_class", "period"])
+            (
+                f"with/sweeps/{order}/{sweep}.nc",
+                [sweep, "section_displacement", "section_velocity", "motion_class", "period"],
+            )
+            for order in ("restart", "up", "down")
             for sweep in ("mesh_frequency", "ste", "backlash")
         ],
-        ("without/sweeps/mesh_frequency.nc", ["lyapunov_exponent", "contact_loss_share"]),
+        ("without/sweeps/restart/mesh_frequency.nc", ["lyapunov_exponent", "contact_loss_share"]),
         *[
             (f"with/branches/{sweep}.nc", [sweep, "branch_displacement", "floquet_real", "stable", "special_point"])
             for sweep in ("mesh_frequency", "ste", "backlash")
@@ -82,7 +86,12 @@ def test_public_names(smoke_run, pattern, variables):
 
 
 def test_another_folder_gives_the_same_bytes(smoke_run, tmp_path):
-    targets = ["results/with/response/q001.nc", "results/without/sweeps/mesh_frequency.nc", "results/figures/fig07.svg"]
+    targets = [
+        "results/with/response/q001.nc",
+        "results/without/sweeps/restart/mesh_frequency.nc",
+        "results/without/sweeps/down/mesh_frequency.nc",
+        "results/figures/fig07.svg",
+    ]
     configs = [str(smoke_run.folder / "config" / name) for name in ("config.yaml", "smoke.yaml")]
     run = smoke_run.snakemake(
         "-j2", "--directory", str(tmp_path), "--set-scatter", "sweep=3", "--configfile", *configs, "--", *targets

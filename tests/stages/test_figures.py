@@ -32,7 +32,11 @@ SWEPT = {
         "reading": "rescale",
     },
 }
-CLASSES = [1, 1, 2, 4, 8, 3, 0, 101, 101]
+CLASSES = {
+    "restart": [1, 1, 2, 4, 8, 3, 0, 101, 101],
+    "up": [1, 1, 2, 4, 8, 3, 0, 101, 101],
+    "down": [1, 2, 2, 4, 8, 3, 0, 101, 101],
+}
 
 
 class Files(dict):
@@ -85,7 +89,8 @@ def results(tmp_path_factory):
         save(f"{case}_backlash", clearance, {"path": path})
         for sweep, settings in SWEPT.items():
             swept = np.linspace(settings["first"], settings["last"], settings["points"])
-            save(f"{case}_{sweep}_sweep", motion(CLASSES), {sweep: ("point", swept)})
+            for order, classes in CLASSES.items():
+                save(f"{case}_{sweep}_{order}", motion(classes), {sweep: ("point", swept)})
             save(f"{case}_{sweep}_branches", branches(), {sweep: ("node", swept[[0, 3, 5, 5, 8]])})
             time = np.linspace(0, 2 * np.pi, 65)
             orbit = {
@@ -150,10 +155,10 @@ def inputs_of(results, number):
         states = [state for state in STATES if state["case"] in SWEPT[sweep]["cases"]]
         files = {
             kind: [str(results / f"{state['case']}_{sweep}_{kind}.nc") for state in states]
-            for kind in ("sweep", "branches")
+            for kind in (*CLASSES, "branches")
         }
         claims = str(ROOT / "config" / "paper_claims.yaml")
-        return "plot_bifurcation", files | {"claims": claims}, cfg | {"states": states}
+        return "plot_bifurcation", files | {"claims": claims}, cfg | {"states": states, "order": "restart"}
     state = STATES[0 if number == 13 else 1]
     portraits = str(results / f"{state['case']}_{sweep}_portraits.nc")
     return "plot_portraits", {"portraits": portraits}, cfg | {"state": state}
@@ -190,10 +195,12 @@ WORDS = {
         "QP,quasi-periodic",
         "(b)Case“with”",
         "unstableorbits",
+        "section,fromrest",
+        "upanddowndiffer",
     ],
     13: ["(a)0.3", "P1,−0.080", "?,noexponent", "CH,+0.050", "Displacementoverinitialhalfbacklash", "Case“without”"],
     14: ["(a)0.3", "sectionatpairentry"],
-    15: ["Meanstatictransmissionerror", "thisrun", "paper", "exponent", "perioddoubling"],
+    15: ["Meanstatictransmissionerror", "downwards", "paper", "exponent", "perioddoubling"],
     16: ["meshfrequency/naturalfrequency=1"],
     17: ["Meanbacklashoveritsinitialvalue", "swepthalfbacklash"],
     18: ["Displacementoverswepthalfbacklash"],

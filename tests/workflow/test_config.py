@@ -72,7 +72,7 @@ def test_the_table_follows_the_stages_given():
     table = table_text(check(load("config.yaml")), {"grinding": ("grid", "case.flash", "sweeps.{sweep}")})
     stages = {line.split(" | ")[0].strip("| `"): line.split(" | ")[-1].strip("| ") for line in table.splitlines()}
     assert stages["grid.mesh_cells"] == stages["cases.<case>.flash"] == stages["sweeps.ste.points"] == "grinding"
-    assert stages["sweeps.start"] == stages["wear.law"] == ""
+    assert stages["dynamics.tolerance"] == stages["wear.law"] == ""
 
 
 def test_every_key_is_read_by_a_stage_or_only_decides_which_files_are_made():
@@ -229,7 +229,7 @@ BAD = [
     (
         "settling.sampled_periods",
         32,
-        "32 is too few to see settling.largest_period, 16, come back in either half; give at least 64 mesh periods",
+        "32 is too few to see settling.largest_period, 60, come back in either half; give at least 240 mesh periods",
     ),
     ("settling.largest_period", 65, "65 is above the largest allowed value 64; give a whole number from 1 to 64"),
     ("friction.boundary", 0.3, "0.3 is above friction.dry, 0.2; lower it or raise friction.dry"),

@@ -39,7 +39,10 @@ def judged():
             ]
     files += [f"results/with/wear/q{q:03d}.nc" for q in range(1, int(last("with")))]
     files += [f"results/{case}/response/q{last(case)}.nc" for case in config["cases"]]
-    files += [f"results/{case}/sweeps/{sweep}.nc" for case, sweep in swept_cases()]
+    order = config["sweeps"]["order"]
+    files += [
+        f"results/{case}/sweeps/{order}/{sweep}.nc" for case, sweep in swept_cases()
+    ]
     return files
 
 
@@ -247,8 +250,16 @@ rule plot_backlash:
 
 rule plot_frequency_sweep:
     input:
-        sweep=[
-            f"results/{case}/sweeps/mesh_frequency.nc"
+        restart=[
+            f"results/{case}/sweeps/restart/mesh_frequency.nc"
+            for case in config["sweeps"]["mesh_frequency"]["cases"]
+        ],
+        up=[
+            f"results/{case}/sweeps/up/mesh_frequency.nc"
+            for case in config["sweeps"]["mesh_frequency"]["cases"]
+        ],
+        down=[
+            f"results/{case}/sweeps/down/mesh_frequency.nc"
             for case in config["sweeps"]["mesh_frequency"]["cases"]
         ],
         branches=[
@@ -272,6 +283,7 @@ rule plot_frequency_sweep:
     params:
         cfg={
             "sweep": "mesh_frequency",
+            "order": config["sweeps"]["order"],
             "swept": swept("mesh_frequency"),
             "states": [
                 drawn_state(case)
@@ -345,8 +357,16 @@ rule plot_portraits_hot:
 
 rule plot_ste_sweep:
     input:
-        sweep=[
-            f"results/{case}/sweeps/ste.nc"
+        restart=[
+            f"results/{case}/sweeps/restart/ste.nc"
+            for case in config["sweeps"]["ste"]["cases"]
+        ],
+        up=[
+            f"results/{case}/sweeps/up/ste.nc"
+            for case in config["sweeps"]["ste"]["cases"]
+        ],
+        down=[
+            f"results/{case}/sweeps/down/ste.nc"
             for case in config["sweeps"]["ste"]["cases"]
         ],
         branches=[
@@ -370,6 +390,7 @@ rule plot_ste_sweep:
     params:
         cfg={
             "sweep": "ste",
+            "order": config["sweeps"]["order"],
             "swept": swept("ste"),
             "states": [drawn_state(case) for case in config["sweeps"]["ste"]["cases"]],
         },
@@ -407,8 +428,16 @@ rule plot_portraits_ste:
 
 rule plot_backlash_sweep:
     input:
-        sweep=[
-            f"results/{case}/sweeps/backlash.nc"
+        restart=[
+            f"results/{case}/sweeps/restart/backlash.nc"
+            for case in config["sweeps"]["backlash"]["cases"]
+        ],
+        up=[
+            f"results/{case}/sweeps/up/backlash.nc"
+            for case in config["sweeps"]["backlash"]["cases"]
+        ],
+        down=[
+            f"results/{case}/sweeps/down/backlash.nc"
             for case in config["sweeps"]["backlash"]["cases"]
         ],
         branches=[
@@ -432,6 +461,7 @@ rule plot_backlash_sweep:
     params:
         cfg={
             "sweep": "backlash",
+            "order": config["sweeps"]["order"],
             "swept": swept("backlash"),
             "states": [
                 drawn_state(case) for case in config["sweeps"]["backlash"]["cases"]

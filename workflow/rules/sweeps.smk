@@ -27,7 +27,7 @@ rule join_sweep:
             "results/{{root}}{{case}}/sweeps/parts/{{sweep}}/{scatteritem}.nc"
         ),
     output:
-        "results/{root}{case}/sweeps/{sweep}.nc",
+        "results/{root}{case}/sweeps/restart/{sweep}.nc",
     log:
         "results/logs/{root}{case}/join_sweep/{sweep}.log",
     benchmark:
@@ -41,6 +41,31 @@ rule join_sweep:
         "../scripts/join_sweep.py"
 
 
+rule carry_sweep:
+    input:
+        geometry="results/{root}geometry.nc",
+        mesh_stiffness=final("mesh_stiffness"),
+        transmission_error=final("transmission_error"),
+        backlash=final("backlash"),
+        reference_stiffness=reference("mesh_stiffness"),
+        reference_error=reference("transmission_error"),
+    output:
+        "results/{root}{case}/sweeps/{order}/{sweep}.nc",
+    log:
+        "results/logs/{root}{case}/carry_sweep/{order}/{sweep}.log",
+    benchmark:
+        "results/benchmarks/{root}{case}/carry_sweep/{order}/{sweep}.tsv"
+    wildcard_constraints:
+        order="up|down",
+    params:
+        cfg=cfg("sweep"),
+        code=code("carry_sweep.py"),
+    message:
+        "Case {wildcards.root}{wildcards.case}: sweeping {wildcards.sweep} {wildcards.order}, every point from the one before."
+    script:
+        "../scripts/carry_sweep.py"
+
+
 rule continue_orbits:
     input:
         geometry="results/{root}geometry.nc",
@@ -49,7 +74,10 @@ rule continue_orbits:
         backlash=final("backlash"),
         reference_stiffness=reference("mesh_stiffness"),
         reference_error=reference("transmission_error"),
-        sweep="results/{root}{case}/sweeps/{sweep}.nc",
+        sweeps=expand(
+            "results/{{root}}{{case}}/sweeps/{order}/{{sweep}}.nc",
+            order=("restart", "up", "down"),
+        ),
     output:
         "results/{root}{case}/branches/{sweep}.nc",
     log:

@@ -21,13 +21,14 @@ def main(job):
     dynamics, swept, branching = cfg["dynamics"], cfg["sweeps"][sweep], cfg["branches"]
     state, reference = store.mesh_states(job.input)
     source = excitation(geometry, state, reference, cfg["operation"]["pinion_torque"], dynamics)
-    settled = store.load(job.input.sweep).sortby(sweep)
 
     def oscillator_at(value):
         return swept_oscillator(source, sweep, value, dynamics, swept)
 
     names = (sweep, "motion_class", "transient_periods", "section_displacement", "section_velocity")
-    found = seeds(*(settled[name].values for name in names), branching["largest_period"])
+    found = []
+    for settled in map(store.load, job.input.sweeps):
+        found += seeds(*(settled[name].values for name in names), branching["largest_period"])
     found = [seed for seed in found if torque_repeats(oscillator_at(seed.value), seed.period)]
     limits = Limits(swept["first"], swept["last"], branching["largest_step"], most_nodes=branching["most_nodes"])
     maps = return_maps(oscillator_at, min(dynamics["tolerance"], COARSEST))

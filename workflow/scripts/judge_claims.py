@@ -23,10 +23,10 @@ class Results(dict):
 
 
 def key_of(path: str):
-    """Return the key of a result file: results/CASE/STAGE/qNNN.nc, results/CASE/sweeps/NAME.nc and the like."""
-    *_, case, folder, name = ("", "", *Path(path).with_suffix("").parts)
-    if folder == "sweeps":
-        return "sweep", case, name
+    """Return the key of a result file: results/CASE/STAGE/qNNN.nc, results/CASE/sweeps/ORDER/NAME.nc and the like."""
+    *_, before, case, folder, name = ("", "", "", *Path(path).with_suffix("").parts)
+    if case == "sweeps":
+        return "sweep", before, name
     if name.startswith("q") and name[1:].isdigit():
         return folder, case, int(name[1:])
     return name if folder == "results" else (name, folder)

@@ -12,6 +12,8 @@ from gearwear.plumbing import stage, store
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
 
+ORDERS = ("restart", "up", "down")
+
 
 def windows(claims, sweep, case):
     """Return (first, last, class) of the windows of motion that the paper names."""
@@ -25,7 +27,8 @@ def windows(claims, sweep, case):
 def main(job):
     cfg = job.params.cfg
     claims = yaml.safe_load(Path(job.input.claims).read_text())["claims"]
-    sweeps = [store.load(path) for path in job.input.sweep]
+    files = (job.input[order] for order in ORDERS)
+    sweeps = [dict(zip(ORDERS, map(store.load, paths), strict=True)) for paths in zip(*files, strict=True)]
     orbits = [store.load(path) for path in job.input.branches]
     paper = [list(windows(claims, cfg["sweep"], state["case"])) for state in cfg["states"]]
     with sheet(job, DOUBLE, bifurcation.height(len(sweeps)), layout=None) as figure:

@@ -1,12 +1,12 @@
-"""One part of a sweep: the settled motion at its points."""
+"""One part of a sweep whose points all start from rest: the settled motion at each."""
 
 from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
 
-from gearwear.attractors.record import columns, end_of
-from gearwear.attractors.settling import Settling, settle
+from gearwear.attractors.record import columns
+from gearwear.attractors.settling import Settling, settle_many
 from gearwear.dynamics.excitation import excitation, rest_state, swept_oscillator
 from gearwear.dynamics.parts import indices
 from gearwear.plumbing import stage, store
@@ -17,17 +17,15 @@ if TYPE_CHECKING:
 
 def main(job):
     cfg, geometry, sweep = job.params.cfg, store.load(job.input.geometry), job.wildcards.sweep
-    dynamics, swept, order = cfg["dynamics"], cfg["sweeps"][sweep], cfg["sweeps"]["start"]
+    dynamics, swept = cfg["dynamics"], cfg["sweeps"][sweep]
     state, reference = store.mesh_states(job.input)
     source = excitation(geometry, state, reference, cfg["operation"]["pinion_torque"], dynamics)
     values = np.linspace(swept["first"], swept["last"], swept["points"])
-    own = indices(swept["points"], job.wildcards.scatteritem, order)
-    settling, motions, begin = Settling(**cfg["settling"]), [], None
-    for i in own:
-        oscillator = swept_oscillator(source, sweep, float(values[i]), dynamics, swept)
-        begin = begin or rest_state(source, oscillator, dynamics)
-        motions.append(settle(oscillator, begin, settling, dynamics["tolerance"]))
-        begin = end_of(motions[-1]) if order != "restart" and motions[-1].motion_class else None
+    own = indices(swept["points"], job.wildcards.scatteritem)
+    settling = Settling(**cfg["settling"])
+    oscillators = [swept_oscillator(source, sweep, float(values[i]), dynamics, swept) for i in own]
+    begins = [rest_state(source, oscillator, dynamics) for oscillator in oscillators]
+    motions = settle_many(oscillators, np.reshape(begins, (-1, 2)), settling, dynamics["tolerance"])
     stage.log.info("%d points of %s swept", len(own), sweep)
     table = columns(motions, settling.sampled_periods, source.force_parameter)
     store.save(xr.Dataset(table, {sweep: ("point", values[own])}), job)

@@ -5,12 +5,13 @@ import numpy as np
 from gearwear.orbits.seeds import seeds
 
 
-def test_the_first_point_and_every_change_of_class_give_a_seed():
+def test_every_periodic_point_gives_a_seed_up_to_the_longest_period():
     classes = [1, 1, 2, 2, 101, 2, 8, 0, 1]
     values = np.linspace(0.1, 0.9, 9)
     section = np.arange(9)[:, None] + np.arange(10) / 10
     found = seeds(values, classes, np.full(9, 400), section, -section, 4)
-    assert [(round(seed.value, 3), seed.period) for seed in found] == [(0.1, 1), (0.3, 2), (0.6, 2), (0.9, 1)]
+    expected = [(0.1, 1), (0.2, 1), (0.3, 2), (0.4, 2), (0.6, 2), (0.9, 1)]
+    assert [(round(seed.value, 3), seed.period) for seed in found] == expected
     assert found[0].state == (0.9, -0.9)
 
 

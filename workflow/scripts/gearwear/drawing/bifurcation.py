@@ -1,4 +1,4 @@
-"""Bifurcation diagrams, one below the other: classes, section, periodic orbits and exponent along one sweep."""
+"""Bifurcation diagrams, one below the other: classes, sections, periodic orbits and exponent along one sweep."""
 
 from __future__ import annotations
 
@@ -10,16 +10,17 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from gearwear.drawing import branches, motion_classes, states, swept
+from gearwear.drawing import branches, motion_classes, orders, sections, states, swept
 from gearwear.drawing.sheet import DOUBLE, letter
 
 # Heights and margins, mm.
-_LEFT, _RIGHT, _TOP, _BOTTOM = 18.0, 3.0, 11.0, 10.0
+_LEFT, _RIGHT, _TOP, _BOTTOM = 18.0, 3.0, 14.0, 10.0
 _ROW = 4.0  # of the legend
-_TITLE, _STRIP, _SECTION, _EXPONENT, _GAP, _BETWEEN = 5.0, 7.0, 42.0, 14.0, 1.2, 5.0
+_TITLE, _STRIP, _SECTION, _EXPONENT, _GAP, _BETWEEN = 5.0, 13.0, 42.0, 14.0, 1.2, 5.0
 _DIAGRAM = _TITLE + _STRIP + _GAP + _SECTION + _GAP + _EXPONENT
 _LABEL = -9.5  # mm, right edge of the ordinate's label from the axis
 _INK, _CHAOS = "#1A1A1A", "#D55E00"
+_DOTS = (0.5, 1.0)
 
 Windows = Sequence[tuple[float, float, str]]
 
@@ -31,7 +32,7 @@ def height(count: int) -> float:
 
 def draw(
     figure: Figure,
-    sweeps: Sequence[xr.Dataset],
+    sweeps: Sequence[orders.Sweeps],
     orbits: Sequence[xr.Dataset],
     paper: Sequence[Windows],
     cfg: dict[str, Any],
@@ -40,29 +41,37 @@ def draw(
 
     Parameters
     ----------
-    sweeps : datasets of the sweep of `cfg["sweep"]`.
+    sweeps : for every diagram, the datasets of the sweep by `restart`, `up` and `down`.
     orbits : branches of periodic orbits, for every sweep.
     paper : (low, high, class) of the windows of motion the paper names, for every sweep.
-    cfg : `sweep`, its settings `swept`, and the `states` in the order of `sweeps`.
+    cfg : `sweep`, its settings `swept`, the `order` shown first, and the `states` in the order of `sweeps`.
     """
     names: set[str] = set()
     special: set[int] = set()
+    apart = False
     total = height(len(sweeps))
-    for position, (dataset, followed, windows, state) in enumerate(
+    for position, (by_order, followed, windows, state) in enumerate(
         zip(sweeps, orbits, paper, cfg["states"], strict=True)
     ):
         top = total - _TOP - position * (_DIAGRAM + _BETWEEN) - _TITLE
         strip = _place(figure, top - _STRIP, _STRIP, total)
         section = _place(figure, top - _STRIP - _GAP - _SECTION, _SECTION, total)
         exponent = _place(figure, top - _STRIP - _SECTION - 2 * _GAP - _EXPONENT, _EXPONENT, total)
-        dataset = dataset.sortby(cfg["sweep"])
+        by_order = {order: dataset.sortby(cfg["sweep"]) for order, dataset in by_order.items()}
+        dataset = by_order[cfg["order"]]
         values = dataset[cfg["sweep"]].values
         for axes in (strip, section, exponent):
             axes.set_xlim(values[0], values[-1])
-        found = [motion_classes.name_of(code) for code in dataset["motion_class"].values]
-        names |= {*found, *(window[2] for window in windows)}
-        _draw_classes(strip, motion_classes.runs(values, found), windows)
-        _draw_section(section, values, dataset)
+        rows = {"paper": windows} | _classes(values, by_order, cfg["order"])
+        names |= {name for zones in rows.values() for *_, name in zones}
+        _draw_classes(strip, rows)
+        differing = orders.ranges(values, by_order)
+        apart = apart or bool(differing)
+        for axes in (section, exponent):
+            orders.shade(axes, differing)
+        orders.draw(section, values, by_order)
+        sections.draw(section, values, dataset, _DOTS, color=_INK)
+        section.tick_params(labelbottom=False)
         branches.draw(section, cfg["sweep"], followed)
         special |= {int(code) for code in followed["special_point"].values}
         _draw_exponent(exponent, values, dataset["lyapunov_exponent"].values)
@@ -77,36 +86,33 @@ def draw(
     exponent.set_xlabel(swept.LABELS[cfg["sweep"]])
     keys = motion_classes.keys(names)
     figure.legend(handles=keys, loc="upper center", ncols=len(keys), handlelength=1.2, columnspacing=1.2)
-    keys = branches.keys(special, any(followed.sizes["node"] for followed in orbits))
-    if keys:
-        place = (0.5, 1 - _ROW / total)
-        figure.legend(handles=keys, loc="upper center", bbox_to_anchor=place, ncols=len(keys), columnspacing=1.4)
+    lines = branches.keys(special, any(followed.sizes["node"] for followed in orbits))
+    for row, keys in enumerate((orders.keys(cfg["order"], apart), lines), start=1):
+        if keys:
+            place = (0.5, 1 - row * _ROW / total)
+            figure.legend(handles=keys, loc="upper center", bbox_to_anchor=place, ncols=len(keys), columnspacing=1.4)
 
 
 def _place(figure: Figure, bottom: float, high: float, total: float) -> Axes:
     return figure.add_axes((_LEFT / DOUBLE, bottom / total, 1 - (_LEFT + _RIGHT) / DOUBLE, high / total))
 
 
-def _draw_classes(axes: Axes, computed: Windows, windows: Windows) -> None:
-    axes.set_ylim(0, 2)
-    motion_classes.draw_strip(axes, 1, computed)
-    motion_classes.draw_strip(axes, 0, windows)
-    axes.set_yticks([0.5, 1.5], ["paper", "this run"])
+def _classes(values: np.ndarray, by_order: orders.Sweeps, first: str) -> dict[str, Windows]:
+    """Return the zones of the motion classes by the name of the order, from the lowest row to the order shown first."""
+    rows = {}
+    for order in [*(order for order in reversed(orders.NAMES) if order != first), first]:
+        found = [motion_classes.name_of(code) for code in by_order[order]["motion_class"].values]
+        rows[orders.NAMES[order]] = motion_classes.runs(values, found)
+    return rows
+
+
+def _draw_classes(axes: Axes, rows: dict[str, Windows]) -> None:
+    axes.set_ylim(0, len(rows))
+    for row, zones in enumerate(rows.values()):
+        motion_classes.draw_strip(axes, row, zones)
+    axes.set_yticks(np.arange(len(rows)) + 0.5, list(rows))
     axes.tick_params(which="both", length=0, labelbottom=False)
     axes.minorticks_off()
-
-
-def _draw_section(axes: Axes, values: np.ndarray, dataset: xr.Dataset) -> None:
-    displacement, period = dataset["section_displacement"].values, dataset["period"].values
-    sample = np.arange(displacement.shape[1])
-    swept_values = np.broadcast_to(values[:, None], displacement.shape)
-    finite = np.isfinite(displacement)
-    repeats = finite & (sample < period[:, None])
-    endless = finite & (period == 0)[:, None]
-    dots = {"linestyle": "none", "marker": "o", "markeredgewidth": 0, "color": _INK, "rasterized": True}
-    axes.plot(swept_values[endless], displacement[endless], markersize=0.5, alpha=0.6, **dots)
-    axes.plot(swept_values[repeats], displacement[repeats], markersize=1.0, **dots)
-    axes.tick_params(labelbottom=False)
 
 
 def _draw_exponent(axes: Axes, values: np.ndarray, exponent: np.ndarray) -> None:

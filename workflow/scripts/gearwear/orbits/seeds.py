@@ -9,14 +9,14 @@ from gearwear.orbits.branches import Seed
 
 
 def seeds(values, motion_class, transient_periods, displacement, velocity, largest_period: int) -> list[Seed]:
-    """Return a seed at the first point of a sweep and at every point of another class than its neighbour before.
+    """Return a seed at every point of a sweep whose motion is periodic, so that no attractor is without its branch.
 
-    Only periodic points count. The state is one at a whole number of periods of the orbit after the start, so that
+    The state is one at a whole number of periods of the orbit after the start, so that
     an external torque of another frequency has its phase of mesh period 0 there.
 
     Parameters
     ----------
-    values : (points,) of the swept quantity, ascending.
+    values : (points,) of the swept quantity.
     motion_class : (points,) codes; that of a periodic motion is its period.
     transient_periods : (points,) mesh periods before the section.
     displacement, velocity : (points, samples) the section.
@@ -24,7 +24,7 @@ def seeds(values, motion_class, transient_periods, displacement, velocity, large
     """
     found = []
     for i, period in enumerate(np.asarray(motion_class, dtype=int)):
-        if not 1 <= period <= min(largest_period, LARGEST_PERIOD) or (i and period == motion_class[i - 1]):
+        if not 1 <= period <= min(largest_period, LARGEST_PERIOD):
             continue
         over = (int(transient_periods[i]) + np.shape(displacement)[1]) % period
         state = (float(displacement[i][-1 - over]), float(velocity[i][-1 - over]))

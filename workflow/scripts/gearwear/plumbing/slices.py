@@ -48,7 +48,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     "transmission_error": ("transmission_error", "operation.pinion_torque"),
     "backlash": ("backlash",),
     "response": (*_EXCITED, "operation.pinion_speed"),
-    "sweep": (*_EXCITED, "sweeps.start", "sweeps.{sweep}"),
+    "sweep": (*_EXCITED, "sweeps.{sweep}"),
     "branches": ("dynamics", "operation.pinion_torque", "sweeps.{sweep}", "branches"),
     "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
 }

@@ -120,7 +120,12 @@ class Dynamics(Section):
         varying="function of the mesh phase",
     )
     torque_fluctuation: TorqueFluctuation
-    tolerance: Number = quantity("1", "Relative tolerance of the integrator.", ge=1e-13, le=1e-4)
+    tolerance: Number = quantity(
+        "1",
+        "Relative tolerance of Dormand-Prince, used where the affine map does not apply: torque at another frequency.",
+        ge=1e-13,
+        le=1e-4,
+    )
     start: Start
 
 
@@ -194,11 +199,9 @@ class BacklashSweep(Section):
 class Sweeps(Section):
     """Ranges over which the motion is followed."""
 
-    start: Literal["restart", "up", "down"] = choice(
-        "State at the start of a point",
-        restart="dynamics.start at every point",
-        up="that of the next lower point",
-        down="that of the next higher point",
+    order: Literal["restart", "up", "down"] = target(
+        "Order of the points that diagrams show first and claims judge; all three are computed: restart = "
+        "dynamics.start at every point; up = from the end of the next lower point; down = from that of the next higher."
     )
     mesh_frequency: MeshFrequencySweep
     ste: SteSweep
