@@ -17,6 +17,7 @@ include: "workflow/rules/common.smk"
 include: "workflow/rules/state.smk"
 include: "workflow/rules/sweeps.smk"
 include: "workflow/rules/figures.smk"
+include: "workflow/rules/maps.smk"
 
 
 rule all:
@@ -25,3 +26,8 @@ rule all:
         states(),
         figures(),
         "results/claims.csv",
+
+
+rule maps:
+    input:
+        mapped(),

@@ -65,9 +65,9 @@ def swept(sweep):
     }
 
 
-def caption(number):
+def caption(figure):
     """The caption of a figure in the report."""
-    return str(Path(workflow.basedir) / "workflow" / "report" / f"fig{number}.rst")
+    return str(Path(workflow.basedir) / "workflow" / "report" / f"{figure}.rst")
 
 
 rule judge_claims:
@@ -97,7 +97,7 @@ rule plot_wear:
     output:
         svg=report(
             "results/figures/fig06.svg",
-            caption=caption("06"),
+            caption=caption("fig06"),
             category="Flanks",
             labels={"figure": "6"},
         ),
@@ -123,7 +123,7 @@ rule plot_growth:
     output:
         svg=report(
             "results/figures/fig07.svg",
-            caption=caption("07"),
+            caption=caption("fig07"),
             category="Flanks",
             labels={"figure": "7"},
         ),
@@ -150,7 +150,7 @@ rule plot_stiffness:
     output:
         svg=report(
             "results/figures/fig08.svg",
-            caption=caption("08"),
+            caption=caption("fig08"),
             category="Excitations",
             labels={"figure": "8"},
         ),
@@ -176,7 +176,7 @@ rule plot_error:
     output:
         svg=report(
             "results/figures/fig09.svg",
-            caption=caption("09"),
+            caption=caption("fig09"),
             category="Excitations",
             labels={"figure": "9"},
         ),
@@ -204,7 +204,7 @@ rule plot_growth_share:
     output:
         svg=report(
             "results/figures/fig10.svg",
-            caption=caption("10"),
+            caption=caption("fig10"),
             category="Excitations",
             labels={"figure": "10"},
         ),
@@ -230,7 +230,7 @@ rule plot_backlash:
     output:
         svg=report(
             "results/figures/fig11.svg",
-            caption=caption("11"),
+            caption=caption("fig11"),
             category="Excitations",
             labels={"figure": "11"},
         ),
@@ -271,7 +271,7 @@ rule plot_frequency_sweep:
     output:
         svg=report(
             "results/figures/fig12.svg",
-            caption=caption("12"),
+            caption=caption("fig12"),
             category="Dynamics",
             labels={"figure": "12"},
         ),
@@ -304,7 +304,7 @@ rule plot_portraits_cold:
     output:
         svg=report(
             "results/figures/fig13.svg",
-            caption=caption("13"),
+            caption=caption("fig13"),
             category="Dynamics",
             labels={"figure": "13"},
         ),
@@ -333,7 +333,7 @@ rule plot_portraits_hot:
     output:
         svg=report(
             "results/figures/fig14.svg",
-            caption=caption("14"),
+            caption=caption("fig14"),
             category="Dynamics",
             labels={"figure": "14"},
         ),
@@ -378,7 +378,7 @@ rule plot_ste_sweep:
     output:
         svg=report(
             "results/figures/fig15.svg",
-            caption=caption("15"),
+            caption=caption("fig15"),
             category="Dynamics",
             labels={"figure": "15"},
         ),
@@ -408,7 +408,7 @@ rule plot_portraits_ste:
     output:
         svg=report(
             "results/figures/fig16.svg",
-            caption=caption("16"),
+            caption=caption("fig16"),
             category="Dynamics",
             labels={"figure": "16"},
         ),
@@ -449,7 +449,7 @@ rule plot_backlash_sweep:
     output:
         svg=report(
             "results/figures/fig17.svg",
-            caption=caption("17"),
+            caption=caption("fig17"),
             category="Dynamics",
             labels={"figure": "17"},
         ),
@@ -481,7 +481,7 @@ rule plot_portraits_backlash:
     output:
         svg=report(
             "results/figures/fig18.svg",
-            caption=caption("18"),
+            caption=caption("fig18"),
             category="Dynamics",
             labels={"figure": "18"},
         ),

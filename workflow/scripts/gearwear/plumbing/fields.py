@@ -24,6 +24,7 @@ class Field(NamedTuple):
 
 _SCALAR, _GEAR = ((),), (("gear",),)
 _PATH, _BOTH = (("path",),), (("gear", "path"),)
+_ROW, _COLUMN, _PLANE = (("row",),), (("column",),), (("row", "column"),)
 _PHASE, _POINT = (("mesh_phase",),), (("point",), ())
 _NODE, _BRANCH = (("node",),), (("branch",),)
 
@@ -100,7 +101,7 @@ FIELDS: dict[str, Field] = {
     # wear
     "wear_depth": Field("m", "wear depth normal to the flank", _BOTH),
     "wear_per_revolution": Field("m", "wear depth added per revolution of the pinion in the last block", _BOTH),
-    "running_cycles": Field("1", "revolutions of the pinion so far", _SCALAR),
+    "running_cycles": Field("1", "revolutions of the pinion so far", _SCALAR + _ROW),
     # mesh stiffness
     "mesh_stiffness": Field("N m-1", "mesh stiffness", _PHASE),
     "pair_stiffness": Field("N m-1", "stiffness of one tooth pair", _PATH),
@@ -145,36 +146,40 @@ FIELDS: dict[str, Field] = {
         "1", "mean transmission error over that of the reference case, if this has one", _SCALAR, None, True
     ),
     # sweeps and portraits
-    "mesh_frequency": Field("1", "mesh frequency over natural frequency", _POINT + _NODE),
-    "ste": Field("1", "mean static transmission error over that of the reference case", _POINT + _NODE),
-    "swept backlash": Field("1", "mean half clearance over its initial value", _POINT + _NODE),
+    "mesh_frequency": Field("1", "mesh frequency over natural frequency", _POINT + _NODE + _COLUMN),
+    "ste": Field("1", "mean static transmission error over that of the reference case", _POINT + _NODE + _ROW),
+    "swept backlash": Field("1", "mean half clearance over its initial value", _POINT + _NODE + _ROW),
     "section_displacement": Field(
         "1", "displacement at mesh phase 0 over initial half backlash", (("point", "sample"),), None, True
     ),
     "section_velocity": Field(
         "1", "velocity at mesh phase 0 in units of initial half backlash", (("point", "sample"),), None, True
     ),
-    "motion_class": Field("", "class of the motion", _POINT, MOTION_CLASSES),
-    "period": Field("1", "mesh periods after which the motion repeats, 0 if it does not", _POINT),
-    "conflict": Field("", "what speaks against the class", _POINT, CONFLICTS),
+    "motion_class": Field("", "class of the motion", _POINT + _PLANE, MOTION_CLASSES),
+    "period": Field("1", "mesh periods after which the motion repeats, 0 if it does not", _POINT + _PLANE),
+    "conflict": Field("", "what speaks against the class", _POINT + _PLANE, CONFLICTS),
     "recurrence_period": Field("1", "mesh periods after which the section recurs, 0 if it does not", _POINT),
     "stable_orbit_period": Field("1", "mesh periods of the stable orbit next to the section, 0 for none", _POINT),
     "stable_orbit_distance": Field("1", "distance of the section from that orbit", _POINT, None, True),
     "recurrence_distance": Field("1", "distance of the section from its repetition", _POINT, None, True),
-    "lyapunov_exponent": Field("1", "largest Lyapunov exponent per unit of dimensionless time", _POINT, None, True),
-    "lyapunov_exponent_error": Field("1", "standard error of the largest Lyapunov exponent", _POINT, None, True),
+    "lyapunov_exponent": Field(
+        "1", "largest Lyapunov exponent per unit of dimensionless time", _POINT + _PLANE, None, True
+    ),
+    "lyapunov_exponent_error": Field(
+        "1", "standard error of the largest Lyapunov exponent", _POINT + _PLANE, None, True
+    ),
     "determinant_error": Field(
         "1", "relative departure of the area contraction of the map from its exact value", _POINT, None, True
     ),
     "multiplier_real": Field("1", "real part of the largest Floquet multiplier", _POINT, None, True),
     "multiplier_imag": Field("1", "imaginary part of the largest Floquet multiplier", _POINT, None, True),
-    "contact_loss_share": Field("1", "part of the time out of contact", _POINT, None, True),
+    "contact_loss_share": Field("1", "part of the time out of contact", _POINT + _PLANE, None, True),
     "impacts_per_period": Field("1", "contacts made anew per mesh period", _POINT, None, True),
     "displacement_min": Field("1", "smallest displacement over initial half backlash", _POINT, None, True),
     "displacement_max": Field("1", "largest displacement over initial half backlash", _POINT, None, True),
-    "force_max": Field("1", "largest mesh force over mean mesh force", _POINT, None, True),
-    "transient_periods": Field("1", "mesh periods left out before the section", _POINT),
-    "reason": Field("", "why the class is not decided", _POINT, REASONS),
+    "force_max": Field("1", "largest mesh force over mean mesh force", _POINT + _PLANE, None, True),
+    "transient_periods": Field("1", "mesh periods left out before the section", _POINT + _PLANE),
+    "reason": Field("", "why the class is not decided", _POINT + _PLANE, REASONS),
     "orbit_displacement": Field(
         "1", "displacement along the orbit over initial half backlash", (("point", "time"),), None, True
     ),
@@ -182,6 +187,8 @@ FIELDS: dict[str, Field] = {
         "1", "velocity along the orbit in units of initial half backlash", (("point", "time"),), None, True
     ),
     "orbit_period": Field("1", "mesh periods since the orbit began", (("time",),)),
+    # maps
+    "bulk_temperature": Field("degC", "bulk temperature of both gears", _ROW),
     # branches of periodic orbits
     "branch_index": Field("", "index of the branch that the orbit is on", _NODE),
     "branch_displacement": Field(
