@@ -26,6 +26,7 @@ rule all:
         states(),
         figures(),
         "results/claims.csv",
+        "results/claims.html",
 
 
 rule maps:

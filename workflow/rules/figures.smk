@@ -39,11 +39,15 @@ def judged():
             ]
     files += [f"results/with/wear/q{q:03d}.nc" for q in range(1, int(last("with")))]
     files += [f"results/{case}/response/q{last(case)}.nc" for case in config["cases"]]
+    return files + main_sweeps()
+
+
+def main_sweeps():
+    """Every sweep in the order that the claims judge."""
     order = config["sweeps"]["order"]
-    files += [
+    return [
         f"results/{case}/sweeps/{order}/{sweep}.nc" for case, sweep in swept_cases()
     ]
-    return files
 
 
 def drawn_state(case):
@@ -87,6 +91,32 @@ rule judge_claims:
         "Holding the claims of the paper against the results."
     script:
         "../scripts/judge_claims.py"
+
+
+rule show_claims:
+    input:
+        claims=CLAIMS,
+        scorecard="results/claims.csv",
+        sweeps=main_sweeps(),
+        template=str(Path(workflow.basedir) / "workflow" / "report" / "claims.html.j2"),
+    output:
+        report(
+            "results/claims.html",
+            caption=caption("claims"),
+            category="Claims of the paper",
+            labels={"figure": "scorecard"},
+        ),
+    log:
+        "results/logs/show_claims.log",
+    benchmark:
+        "results/benchmarks/show_claims.tsv"
+    params:
+        cfg={},
+        code=code("show_claims.py"),
+    message:
+        "Writing the scorecard of the claims as a page."
+    script:
+        "../scripts/show_claims.py"
 
 
 rule plot_wear:
