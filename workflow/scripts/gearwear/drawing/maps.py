@@ -15,7 +15,7 @@ from gearwear.drawing.sheet import letter
 HEIGHT = 92.0  # mm
 # Coordinate of the rows, its label and the factor to the unit of the label.
 _ROWS = {
-    "ste": ("ste", swept.LABELS["ste"], 1.0),
+    "ste": ("ste", "Mean static transmission error\nover that of the reference case", 1.0),
     "backlash": ("backlash", swept.LABELS["backlash"], 1.0),
     "temperature": ("bulk_temperature", "Bulk temperature, °C", 1.0),
     "wear": ("running_cycles", "Revolutions of the pinion, 10⁹", 1e-9),
