@@ -13,6 +13,9 @@ sys.path.insert(0, str(Path(workflow.basedir) / "workflow" / "scripts"))
 configfile: Path(workflow.basedir) / "config" / "config.yaml"
 
 
+report: "workflow/report/study.rst"
+
+
 include: "workflow/rules/common.smk"
 include: "workflow/rules/state.smk"
 include: "workflow/rules/sweeps.smk"
@@ -27,6 +30,7 @@ rule all:
         figures(),
         "results/claims.csv",
         "results/claims.html",
+        "results/versions.csv",
 
 
 rule maps:

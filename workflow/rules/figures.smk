@@ -1,3 +1,15 @@
+from importlib.metadata import version
+
+PACKAGES = (
+    "matplotlib",
+    "netCDF4",
+    "numba",
+    "numpy",
+    "pydantic",
+    "scipy",
+    "snakemake",
+    "xarray",
+)
 STYLE = str(Path(workflow.basedir) / "workflow" / "report" / "gearwear.mplstyle")
 CLAIMS = str(Path(workflow.basedir) / "config" / "paper_claims.yaml")
 
@@ -74,12 +86,38 @@ def caption(figure):
     return str(Path(workflow.basedir) / "workflow" / "report" / f"{figure}.rst")
 
 
+rule list_versions:
+    output:
+        report(
+            "results/versions.csv",
+            caption=caption("versions"),
+            category="Study",
+            labels={"figure": "versions"},
+        ),
+    log:
+        "results/logs/list_versions.log",
+    benchmark:
+        "results/benchmarks/list_versions.tsv"
+    params:
+        cfg={name: version(name) for name in PACKAGES},
+        code=code("list_versions.py"),
+    message:
+        "Listing the versions of the packages."
+    script:
+        "../scripts/list_versions.py"
+
+
 rule judge_claims:
     input:
         claims=CLAIMS,
         results=judged(),
     output:
-        "results/claims.csv",
+        report(
+            "results/claims.csv",
+            caption=caption("claims"),
+            category="Claims of the paper",
+            labels={"figure": "table"},
+        ),
     log:
         "results/logs/judge_claims.log",
     benchmark:
