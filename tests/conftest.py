@@ -45,6 +45,12 @@ class Project:
 
 
 @pytest.fixture(scope="session")
+def make_project(tmp_path_factory):
+    """Return a function that copies the program into a folder of its own."""
+    return lambda name: Project(tmp_path_factory.mktemp(name))
+
+
+@pytest.fixture(scope="session")
 def smoke_run(tmp_path_factory):
     """A copy of the program after `snakemake -j2 all` on the smoke configuration."""
     project = Project(tmp_path_factory.mktemp("smoke"))

@@ -8,7 +8,7 @@ import pytest
 import yaml
 from snakemake.utils import update_config
 
-from gearwear.plumbing.key_types import entry_type, is_section, keys
+from gearwear.plumbing.key_types import entry_type, is_section, keys, placeholder
 from gearwear.plumbing.keytable import SCHEMA_FILE, TABLE_FILE, readers, schema_text, table_text, write
 from gearwear.plumbing.settings import ConfigError, check
 from gearwear.plumbing.slices import STAGES
@@ -86,7 +86,9 @@ def test_every_key_is_read_by_a_stage_or_only_decides_which_files_are_made():
 
 
 def test_every_key_a_stage_reads_exists():
-    known = [(*path, "<case>") if entry_type(field.annotation) else path for path, field in keys(Configuration)]
+    known = [
+        (*path, placeholder(field)) if entry_type(field.annotation) else path for path, field in keys(Configuration)
+    ]
     for stage, wanted in STAGES.items():
         for key in wanted:
             assert any(readers(path, {stage: (key,)}) for path in known), (stage, key)
@@ -204,7 +206,7 @@ BAD = [
     (
         "cases.figures",
         {"bulk_temperature": 20, "running_cycles": 0, "flash": False},
-        "the name is taken by a folder of the results; use none of figures, logs, benchmarks and geometry",
+        "the name is taken by a folder of the results; use none of figures, logs, benchmarks, geometry and studies",
     ),
     (
         "cases.Hot",
@@ -292,6 +294,18 @@ def test_a_bad_key_gives_its_message(path, value, text):
                 "elasticity: a list of 2 is not a section; give the keys law and calibration below it",
                 "elasticity.lw: unknown key (did you mean elasticity.law?)",
                 "elasticity.calibration: -1.0 is below the least allowed value 0; give a number from 0 to 20",
+            ],
+        ),
+        (
+            {"studies": {"Heat": {"members": {"t 1": {}}}, "heat": {"members": {"t2": 3}}, "wear": {"member": {}}}},
+            [
+                "studies.heat.members.t2: 3 is not a group of keys; give keys of the configuration with their values",
+                "studies.wear.member: unknown key (did you mean studies.wear.members?)",
+                "studies.wear.members: missing section; give names of members with their values below it",
+                "studies.Heat: not a name of a study; use small letters, digits and underscores, a letter first, "
+                "at most 60 of them",
+                "studies.Heat.members.(text 't 1'): not a name of a member; use small letters, digits and underscores, "
+                "a letter first, at most 60 of them",
             ],
         ),
         (

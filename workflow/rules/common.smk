@@ -2,6 +2,7 @@ from snakemake.exceptions import WorkflowError
 
 from gearwear.plumbing import settings
 from gearwear.plumbing.closure import digest
+from gearwear.plumbing.members import members
 from gearwear.plumbing.runlock import RunningAlready, hold, only_looks
 from gearwear.plumbing.slices import slice_of
 
@@ -10,6 +11,7 @@ sys.setrecursionlimit(20000)
 
 try:
     config = settings.check(config)
+    MEMBERS = members(config)
 except settings.ConfigError as error:
     raise WorkflowError(str(error))
 
@@ -23,7 +25,10 @@ if workflow.is_main_process and not only_looks(sys.argv[1:]):
 
 
 wildcard_constraints:
-    case="|".join(config["cases"]),
+    root=r"(studies/[a-z][a-z0-9_]*/[a-z][a-z0-9_]*/)?",
+    case="|".join(
+        dict.fromkeys(case for member in MEMBERS.values() for case in member["cases"])
+    ),
     q=r"\d{3}",
     sweep="mesh_frequency|ste|backlash",
 
@@ -32,13 +37,23 @@ scattergather:
     sweep=4,
 
 
+def member(root):
+    """The configuration of a member of a study, by its folder; "" is the study itself."""
+    if root not in MEMBERS:
+        known = [name.rstrip("/") for name in MEMBERS if name]
+        raise WorkflowError(
+            f"{root.rstrip('/')}: no such member of a study; members: {', '.join(known) or 'none'}"
+        )
+    return MEMBERS[root]
+
+
 def cfg(stage):
     """The settings a stage sees: one plain dict, a function of the wildcards."""
 
     def cut(wildcards):
         case, sweep = wildcards.get("case", ""), wildcards.get("sweep", "")
         try:
-            return slice_of(config, stage, case, sweep)
+            return slice_of(member(wildcards.root), stage, case, sweep)
         except KeyError as error:
             raise WorkflowError(
                 f"config: {stage} finds no {error} for case {case}; see config/README.md"
@@ -52,16 +67,18 @@ def code(script):
     return digest(Path(workflow.basedir) / "workflow" / "scripts" / script)
 
 
-def last(case):
+def last(case, root=""):
     """The number of the last wear cycle of a case, as its files write it."""
-    return f"{round(config['cases'][case]['running_cycles'] / config['wear']['cycles_per_update']):03d}"
+    settings = member(root)
+    return f"{round(settings['cases'][case]['running_cycles'] / settings['wear']['cycles_per_update']):03d}"
 
 
 def earlier(pattern):
     """Input function: the file of `pattern` one wear cycle before."""
 
     def one_before(wildcards):
-        return pattern.format(case=wildcards.case, q=f"{int(wildcards.q) - 1:03d}")
+        q = f"{int(wildcards.q) - 1:03d}"
+        return pattern.format(root=wildcards.root, case=wildcards.case, q=q)
 
     return one_before
 
@@ -70,14 +87,20 @@ def final(stage):
     """Input function: the file of a stage at the last wear cycle of the case."""
 
     def at_the_end(wildcards):
-        return f"results/{wildcards.case}/{stage}/q{last(wildcards.case)}.nc"
+        root, case = wildcards.root, wildcards.case
+        return f"results/{root}{case}/{stage}/q{last(case, root)}.nc"
 
     return at_the_end
 
 
 def reference(stage):
-    """The file of a stage of the pristine reference case."""
-    return f"results/{config['dynamics']['reference_case']}/{stage}/q000.nc"
+    """Input function: the file of a stage of the pristine reference case."""
+
+    def pristine(wildcards):
+        case = member(wildcards.root)["dynamics"]["reference_case"]
+        return f"results/{wildcards.root}{case}/{stage}/q000.nc"
+
+    return pristine
 
 
 def states():

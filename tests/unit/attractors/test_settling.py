@@ -5,8 +5,9 @@ import dataclasses
 import numpy as np
 import pytest
 
-from gearwear.attractors.settling import Settling, settle
+from gearwear.attractors.settling import Settling, settle, settle_many
 from gearwear.dynamics import motion_class
+from gearwear.dynamics.motion import GROWTH
 from gearwear.dynamics.oscillator import ExternalTorque, Oscillator
 from gearwear.dynamics.periodic import Harmonics
 
@@ -116,3 +117,28 @@ def test_it_is_deterministic():
 def test_impossible_settings_are_refused(change, message):
     with pytest.raises(ValueError, match=message):
         settle(GENTLE, (0.0, 0.0), SETTLING._replace(**change))
+
+
+def test_many_points_settle_as_each_alone():
+    frequencies = [0.4, 1.0, 1.18, 1.1834, 1.4, 1.6]
+    oscillators = [look_alike(w) for w in frequencies]
+    oscillators += [dataclasses.replace(GENTLE, error=Harmonics(0.0, (3e6,), (0.0,)))]
+    oscillators += [dataclasses.replace(GENTLE, torque=ExternalTorque(0.02, 0.5, 0.0))]
+    states = np.linspace(-1.0, 1.0, 2 * len(oscillators)).reshape(-1, 2)
+    together = settle_many(oscillators, states, SETTLING)
+    for oscillator, state, motion in zip(oscillators, states, together, strict=True):
+        for one, other in zip(motion, settle(oscillator, state, SETTLING), strict=True):
+            np.testing.assert_array_equal(one, other)
+
+
+def test_less_detail_leaves_out_what_needs_more():
+    whole = settle(look_alike(1.1), (0.0, 0.0), SETTLING)
+    little = settle_many([look_alike(1.1)], (0.0, 0.0), SETTLING, detail=GROWTH)[0]
+    missing = ("determinant_error", "contact_loss_share", "impacts_per_period")
+    missing += ("displacement_min", "displacement_max", "force_max")
+    for name, one, other in zip(whole._fields, whole, little, strict=True):
+        np.testing.assert_allclose(other, np.nan if name in missing else one, rtol=1e-12)
+
+
+def test_no_points_give_no_motions():
+    assert settle_many([], np.empty((0, 2)), SETTLING) == []

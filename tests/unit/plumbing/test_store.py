@@ -57,7 +57,17 @@ def test_every_variable_carries_its_unit_and_name(saved):
 
 def test_every_field_has_a_unit_unless_it_is_a_label_or_an_index():
     without = {name for name, field in FIELDS.items() if not field.units}
-    integers_and_words = {"gear", "pair", "influence", "partner", "entering", "leaving", "motion_class", "reason"}
+    integers_and_words = {
+        "gear",
+        "pair",
+        "influence",
+        "partner",
+        "entering",
+        "leaving",
+        "motion_class",
+        "reason",
+        "conflict",
+    }
     integers_and_words |= {"branch_index", "branch_parent", "stable", "special_point"}
     integers_and_words |= {f"branch_{side}{rest}" for side in ("start", "end") for rest in ("", "_remark")}
     assert without == integers_and_words
@@ -260,10 +270,15 @@ def test_lineage_of_the_inputs_is_written_beside_the_own(tmp_path):
         ("results/with/backlash/q003.nc", ("open_backlash",)),
         ("results/with/sweeps/restart/backlash.nc", ("join_sweep",)),
         ("results/with/sweeps/up/backlash.nc", ("carry_sweep",)),
-        ("results/with/sweeps/down/temperature.nc", ("carry_sweep",)),
+        ("results/with/sweeps/down/ste.nc", ("carry_sweep",)),
         ("results/with/portraits/backlash.nc", ("trace_portraits",)),
         ("results/with/branches/backlash.nc", ("continue_orbits",)),
         ("results/with/sweeps/parts/backlash/1-of-4.nc", ("sweep_part",)),
+        ("results/studies/heat/t120/geometry.nc", ("build_geometry",)),
+        ("results/studies/heat/t120/with/wear/q003.nc", ("start_wear", "advance_wear")),
+        ("results/studies/parts/sweeps/geometry.nc", ("build_geometry",)),
+        ("results/studies/sweeps/parts/with/temperature.nc", ("heat_contact",)),
+        ("results/parts/wear/q000.nc", ("start_wear", "advance_wear")),
         ("somewhere/else.nc", ()),
     ],
 )

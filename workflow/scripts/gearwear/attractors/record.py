@@ -7,7 +7,15 @@ import numpy as np
 from gearwear.attractors.settling import Attractor
 
 _RENAMED = {"exponent": "lyapunov_exponent", "exponent_error": "lyapunov_exponent_error"}
-_WHOLE = ("motion_class", "reason", "period", "transient_periods")
+_WHOLE = (
+    "motion_class",
+    "reason",
+    "conflict",
+    "period",
+    "recurrence_period",
+    "stable_orbit_period",
+    "transient_periods",
+)
 _SECTION = {"displacement": "section_displacement", "velocity": "section_velocity"}
 
 

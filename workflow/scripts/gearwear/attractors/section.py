@@ -32,11 +32,7 @@ def recurrence(states: np.ndarray, largest_period: int, tolerance: float) -> Rec
     largest_period : longest period looked for, at most half the samples
     tolerance : allowed distance (dimensionless)
     """
-    first, second = {}, {}
-    for n in range(1, largest_period + 1):
-        steps = np.abs(states[n:] - states[:-n]).max(axis=1)
-        half = len(steps) // 2
-        first[n], second[n] = steps[:half].max(), steps[half:].max()
+    first, second = _changes(states, largest_period)
     for n in range(1, largest_period + 1):
         if second[n] > tolerance:
             continue
@@ -44,6 +40,25 @@ def recurrence(states: np.ndarray, largest_period: int, tolerance: float) -> Rec
         if all(abs(second[m] - first[m]) <= STEADY_CHANGE * first[m] for m in divisors):
             return Recurrence(n, float(second[n]))
     return Recurrence(0, float(min(second.values())))
+
+
+def shrinking_periods(states: np.ndarray, largest_period: int, near: float) -> list[int]:
+    """Periods n, ascending, over which a section changes less and less, and by no more than `near` in its second half.
+
+    Parameters are those of recurrence.
+    """
+    first, second = _changes(states, largest_period)
+    return [n for n in first if second[n] < first[n] and second[n] <= near]
+
+
+def _changes(states: np.ndarray, largest_period: int) -> tuple[dict[int, float], dict[int, float]]:
+    """Largest change over n periods, for every n, in the first and in the second half of a section."""
+    first, second = {}, {}
+    for n in range(1, largest_period + 1):
+        steps = np.abs(states[n:] - states[:-n]).max(axis=1)
+        half = len(steps) // 2
+        first[n], second[n] = steps[:half].max(), steps[half:].max()
+    return first, second
 
 
 def is_closed_curve(states: np.ndarray, turns: np.ndarray) -> bool:

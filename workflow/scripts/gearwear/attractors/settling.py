@@ -1,12 +1,14 @@
-"""The motion an oscillator settles to, its class and the evidence for it."""
+"""The motions that oscillators settle to."""
 
 from typing import NamedTuple
 
 import numpy as np
 
-from gearwear.attractors.section import BATCHES, is_closed_curve, mean_and_error, recurrence
+from gearwear.attractors.evidence import weigh
+from gearwear.attractors.section import BATCHES
 from gearwear.dynamics import motion_class
-from gearwear.dynamics.motion import BLOW_UP, COMPLETED, GROWTH, Strobe, monodromy, strobe
+from gearwear.dynamics.motion import BLOW_UP, COMPLETED, GROWTH, MAPS, RECORDS, TOO_MANY_STEPS
+from gearwear.dynamics.motion_many import strobe_many
 from gearwear.dynamics.oscillator import Oscillator
 
 
@@ -26,14 +28,10 @@ class Settling(NamedTuple):
 
 
 class Attractor(NamedTuple):
-    """One settled point of a sweep.
+    """One settled motion; NaN and 0 stand for what the detail asked for leaves out, or what was not reached.
 
-    motion_class : code of motion_class.FLAG_VALUES
-    reason : code of motion_class.REASON_VALUES; why a point has not converged
-    period : in forcing periods, 0 if not periodic
-    recurrence_distance : largest change over one period, or the least change over all periods looked for
-    exponent, exponent_error : largest Lyapunov exponent and its standard error; the other is -2 zeta - exponent
-    multiplier_real, multiplier_imag : Floquet multiplier of largest modulus over ``period``, NaN if not periodic
+    motion_class, ..., exponent_error : as in evidence.Evidence
+    multiplier_real, multiplier_imag : Floquet multiplier of largest modulus over the orbit, NaN without an orbit
     determinant_error : largest relative departure of a sampled period's determinant from exp(-2 zeta T)
     transient_periods : forcing periods before the sample
     contact_loss_share, impacts_per_period : means over the sample
@@ -43,8 +41,12 @@ class Attractor(NamedTuple):
 
     motion_class: int
     reason: int
+    conflict: int
     period: int
+    recurrence_period: int
     recurrence_distance: float
+    stable_orbit_period: int
+    stable_orbit_distance: float
     exponent: float
     exponent_error: float
     multiplier_real: float
@@ -60,50 +62,76 @@ class Attractor(NamedTuple):
     velocity: np.ndarray
 
 
-class Verdict(NamedTuple):
-    """Class of a sample and its evidence."""
-
-    motion_class: int
-    reason: int
-    period: int
-    distance: float
-    exponent: float
-    exponent_error: float
-    multiplier: complex
-
-
 def settle(oscillator: Oscillator, state, settling: Settling, tolerance: float = 1e-10) -> Attractor:
-    """Run until the motion is clearly periodic, quasi-periodic or chaotic, or the longest transient is over.
+    """Return the motion one oscillator settles to from a state, as settle_many with all its detail does."""
+    return settle_many([oscillator], state, settling, tolerance)[0]
+
+
+def settle_many(
+    oscillators: list[Oscillator], states, settling: Settling, tolerance: float = 1e-10, detail: int = RECORDS
+) -> list[Attractor]:
+    """Run every oscillator until its motion is clearly periodic, quasi-periodic or chaotic, or the time is over.
 
     Between two looks the transient doubles; the exponent is the mean over all the periods since the last look, so
-    that a weak one grows clear. A motion that blows up or needs too many steps has not converged, for
-    that reason; its evidence is NaN.
+    that a weak one grows clear. A motion that blows up or needs too many steps has not converged, for that reason;
+    its evidence is NaN. No point depends on the others.
 
     Parameters
     ----------
-    state : (2,) displacement and velocity at mesh phase 0
-    tolerance : of the integrator
+    oscillators : one a point
+    states : (points, 2) or (2,) displacement and velocity at mesh phase 0
+    tolerance : of the integrator, where the affine map does not apply
+    detail : GROWTH, MAPS or RECORDS, of motion.strobe. The determinant needs MAPS, extremes, contact loss and impacts
+        RECORDS, in several times the time of GROWTH.
 
     Raises
     ------
     ValueError
-        For a state or settings outside their range.
+        For states or settings outside their range.
     """
     check_settling(settling)
-    transient, reached, tangent = settling.transient_periods, 0, (1.0, 0.0)
-    while True:
-        run = strobe(oscillator, state, transient - reached, reached, tolerance, tangent, detail=GROWTH)
-        sample = run
-        if run.status == COMPLETED:
-            sample = strobe(oscillator, run.states[-1], settling.sampled_periods, transient, tolerance, run.tangent)
-        if sample.status != COMPLETED:
-            return _failed(sample.status, transient, settling.sampled_periods)
-        growth = np.concatenate([run.growth, sample.growth]) if reached else sample.growth
-        verdict = look(oscillator, sample, growth, transient, settling, tolerance)
-        if verdict.motion_class != motion_class.NOT_CONVERGED or transient >= settling.longest_transient:
-            return _attractor(oscillator, sample, verdict, transient)
-        reached, state, tangent = transient + settling.sampled_periods, sample.states[-1], sample.tangent
+    points = len(oscillators)
+    states = np.array(np.broadcast_to(np.asarray(states, dtype=float), (points, 2)))
+    tangents = np.tile((1.0, 0.0), (points, 1))
+    attractors: dict[int, Attractor] = {}
+    waiting, transient, reached = np.arange(points), settling.transient_periods, 0
+    while waiting.size:
+        own = [oscillators[p] for p in waiting]
+        run = strobe_many(
+            own, states[waiting], transient - reached, reached, tolerance, tangents[waiting], detail=GROWTH
+        )
+        attractors |= _lost(waiting, run.status, transient, settling.sampled_periods)
+        alive = np.flatnonzero(run.status == COMPLETED)
+        if not alive.size:
+            break
+        waiting, own = waiting[alive], [own[i] for i in alive]
+        begins, directions = run.states[alive, -1], run.tangent[alive]
+        sample = strobe_many(own, begins, settling.sampled_periods, transient, tolerance, directions, detail=detail)
+        attractors |= _lost(waiting, sample.status, transient, settling.sampled_periods)
+        undecided = []
+        for place in np.flatnonzero(sample.status == COMPLETED):
+            p, growth = waiting[place], sample.growth[place]
+            if reached:
+                growth = np.concatenate([run.growth[alive[place]], growth])
+            evidence = weigh(
+                own[place],
+                sample.states[place],
+                growth,
+                transient,
+                settling.largest_period,
+                settling.recurrence_tolerance,
+                settling.chaos_threshold,
+                tolerance,
+            )
+            if evidence.motion_class == motion_class.NOT_CONVERGED and transient < settling.longest_transient:
+                undecided.append(p)
+                states[p], tangents[p] = sample.states[place, -1], sample.tangent[place]
+            else:
+                attractors[p] = _attractor(own[place], sample, place, evidence, transient, detail)
+        reached = transient + settling.sampled_periods
         transient = max(min(2 * transient, settling.longest_transient), reached)
+        waiting = np.array(undecided, dtype=int)
+    return [attractors[p] for p in range(points)]
 
 
 def check_settling(settling: Settling) -> None:
@@ -129,78 +157,54 @@ def check_settling(settling: Settling) -> None:
             raise ValueError(f"{name}: {getattr(settling, name)} (dimensionless) must be above 0")
 
 
-def look(
-    oscillator: Oscillator,
-    sample: Strobe,
-    growth: np.ndarray,
-    first_period: int,
-    settling: Settling,
-    tolerance: float,
-) -> Verdict:
-    """Classify a sample of the motion that begins at a period; growth is that of the periods up to its end.
-
-    Period n: the section recurs and the multipliers over n periods are inside the unit circle. Chaos: no recurrence
-    and an exponent above the threshold and three times its error. Quasi-periodic: the section is a closed curve over
-    the phase of the external torque and the exponent is not positive; a torque that fluctuates with a harmonic of
-    the mesh, or none, leaves one frequency, whose map contracts areas by exp(-2 zeta T): no invariant closed curve
-    exists, and none is reported.
-    """
-    exponent, error = mean_and_error(growth / oscillator.period)
-    found = recurrence(sample.states, settling.largest_period, settling.recurrence_tolerance)
-    multiplier, code, period = complex(np.nan, np.nan), motion_class.NOT_CONVERGED, 0
-    chaotic = exponent > max(settling.chaos_threshold, 3 * error)
-    if found.period:
-        end = first_period + settling.sampled_periods
-        _, matrix = monodromy(oscillator, sample.states[-1], found.period, end, tolerance)
-        multiplier = max(np.linalg.eigvals(matrix).astype(complex), key=lambda value: (abs(value), value.imag))
-        if abs(multiplier) < 1.0:
-            code = period = found.period
-    elif chaotic:
-        code = motion_class.CHAOTIC
-    elif oscillator.has_second_frequency and exponent <= 3 * error:
-        turns = oscillator.torque.frequency_ratio * (first_period + np.arange(len(sample.states)))
-        if is_closed_curve(sample.states, turns):
-            code = motion_class.QUASI_PERIODIC
-    reason = motion_class.SETTLED
-    if code == motion_class.NOT_CONVERGED:
-        slow = exponent <= 0.0 or found.period
-        reason = motion_class.SLOW_CONVERGENCE if slow else motion_class.EXPONENT_UNCLEAR
-    return Verdict(code, reason, period, found.distance, exponent, error, multiplier)
-
-
-def _attractor(oscillator: Oscillator, sample: Strobe, verdict: Verdict, transient: int) -> Attractor:
-    maps = sample.tangent_maps
-    determinants = maps[:, 0, 0] * maps[:, 1, 1] - maps[:, 0, 1] * maps[:, 1, 0]
-    contraction = np.exp(-2 * oscillator.damping_ratio * oscillator.period)
+def _attractor(oscillator, sample, place, evidence, transient, detail) -> Attractor:
+    determinant_error = lost = impacts = lowest = highest = force = np.nan
+    if detail >= MAPS:
+        (a, b), (c, d) = sample.tangent_maps[place].transpose(1, 2, 0)
+        contraction = np.exp(-2 * oscillator.damping_ratio * oscillator.period)
+        determinant_error = float(np.abs((a * d - b * c) / contraction - 1).max())
+    if detail >= RECORDS:
+        lost, impacts = float(sample.lost[place].mean()), float(sample.impacts[place].mean())
+        lowest, highest = float(sample.displacement_min[place].min()), float(sample.displacement_max[place].max())
+        force = float(sample.force_max[place].max())
     return Attractor(
-        motion_class=verdict.motion_class,
-        reason=verdict.reason,
-        period=verdict.period,
-        recurrence_distance=verdict.distance,
-        exponent=verdict.exponent,
-        exponent_error=verdict.exponent_error,
-        multiplier_real=verdict.multiplier.real if verdict.period else np.nan,
-        multiplier_imag=verdict.multiplier.imag if verdict.period else np.nan,
-        determinant_error=float(np.abs(determinants / contraction - 1).max()),
+        motion_class=evidence.motion_class,
+        reason=evidence.reason,
+        conflict=evidence.conflict,
+        period=evidence.period,
+        recurrence_period=evidence.recurrence_period,
+        recurrence_distance=evidence.recurrence_distance,
+        stable_orbit_period=evidence.stable_orbit_period,
+        stable_orbit_distance=evidence.stable_orbit_distance,
+        exponent=evidence.exponent,
+        exponent_error=evidence.exponent_error,
+        multiplier_real=evidence.multiplier.real,
+        multiplier_imag=evidence.multiplier.imag,
+        determinant_error=determinant_error,
         transient_periods=transient,
-        contact_loss_share=float(sample.lost.mean()),
-        impacts_per_period=float(sample.impacts.mean()),
-        displacement_min=float(sample.displacement_min.min()),
-        displacement_max=float(sample.displacement_max.max()),
-        force_max=float(sample.force_max.max()),
-        displacement=sample.states[1:, 0],
-        velocity=sample.states[1:, 1],
+        contact_loss_share=lost,
+        impacts_per_period=impacts,
+        displacement_min=lowest,
+        displacement_max=highest,
+        force_max=force,
+        displacement=sample.states[place, 1:, 0],
+        velocity=sample.states[place, 1:, 1],
     )
 
 
-def _failed(status: int, transient: int, samples: int) -> Attractor:
+def _lost(points, status, transient: int, samples: int) -> dict[int, Attractor]:
+    """Return the points whose motion was not completed, and what is known of them."""
     unknown = dict.fromkeys(Attractor._fields, np.nan)
+    unknown.update(dict.fromkeys(("conflict", "period", "recurrence_period", "stable_orbit_period"), 0))
     unknown.update(
         motion_class=motion_class.NOT_CONVERGED,
-        reason=motion_class.BLOWN_UP if status == BLOW_UP else motion_class.STEPS_EXHAUSTED,
-        period=0,
         transient_periods=transient,
         displacement=np.full(samples, np.nan),
         velocity=np.full(samples, np.nan),
     )
-    return Attractor(**unknown)
+    reasons = {BLOW_UP: motion_class.BLOWN_UP, TOO_MANY_STEPS: motion_class.STEPS_EXHAUSTED}
+    return {
+        p: Attractor(**(unknown | {"reason": reasons[code]}))
+        for p, code in zip(points, status, strict=True)
+        if code != COMPLETED
+    }

@@ -10,6 +10,10 @@ SETTLED, SLOW_CONVERGENCE, EXPONENT_UNCLEAR, BLOWN_UP, STEPS_EXHAUSTED = range(5
 REASON_VALUES = (SETTLED, SLOW_CONVERGENCE, EXPONENT_UNCLEAR, BLOWN_UP, STEPS_EXHAUSTED)
 REASON_MEANINGS = ("settled", "slow_convergence", "exponent_unclear", "blow_up", "too_many_steps")
 
+AGREED, NO_STABLE_ORBIT, OTHER_PERIOD, POSITIVE_EXPONENT = range(4)
+CONFLICT_VALUES = (AGREED, NO_STABLE_ORBIT, OTHER_PERIOD, POSITIVE_EXPONENT)
+CONFLICT_MEANINGS = ("none", "no_stable_orbit", "other_period", "positive_exponent")
+
 
 def class_name(value: int) -> str:
     """Name of a class of motion: P1 to P64 for the period in forcing periods, QP, CH or not_converged."""

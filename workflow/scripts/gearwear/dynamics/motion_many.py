@@ -52,7 +52,7 @@ def strobe_many(
         raise ValueError("oscillators: the list is empty; give at least one")
     for direction in directions if np.ndim(tangent) > 1 else directions[:1]:
         check_request(direction, periods, first_period, tolerance, detail, backend)
-    single = np.array([backend == GENERAL or o.has_second_frequency for o in oscillators], dtype=bool)
+    single = np.array([backend == GENERAL or points == 1 or o.has_second_frequency for o in oscillators], dtype=bool)
     together = np.flatnonzero(~single)
     parts = []
     if together.size:

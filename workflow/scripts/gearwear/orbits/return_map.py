@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwear.dynamics.motion import monodromy
+from gearwear.dynamics.motion import MAPS, strobe
 from gearwear.dynamics.oscillator import Oscillator
 
 COARSEST = 1e-10  # tolerance of the integrator; a coarser map is too rough for derivatives and Newton steps
@@ -66,14 +66,10 @@ def return_maps(oscillator_at: Callable[[float], Oscillator], tolerance: float =
             )
 
         def run(state: np.ndarray) -> Passage:
-            section, matrix = np.empty((period + 1, 2)), np.eye(2)
-            section[0] = state
-            for i in range(period):
-                section[i + 1], step = np.full(2, np.nan), np.full((2, 2), np.nan)
-                if np.isfinite(section[i]).all():
-                    section[i + 1], step = monodromy(oscillator, section[i], 1, i, tolerance)
-                matrix = step @ matrix
-            return Passage(section, matrix)
+            motion, matrix = strobe(oscillator, state, period, 0, tolerance, detail=MAPS), np.eye(2)
+            for tangent_map in motion.tangent_maps:
+                matrix = tangent_map @ matrix
+            return Passage(motion.states, matrix)
 
         return run
 

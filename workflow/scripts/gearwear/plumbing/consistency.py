@@ -18,10 +18,11 @@ from gearwear.plumbing.wording import dotted, figure, listed, shown
 SWEEPS = ("mesh_frequency", "ste", "backlash")
 REQUIRED_CASES = ("without", "temperature_only", "wear_only", "with")
 DRAWN_PORTRAITS = (("mesh_frequency", "without"), ("mesh_frequency", "with"), ("ste", "with"), ("backlash", "with"))
-RESERVED_NAMES = ("figures", "logs", "benchmarks", "geometry")
+RESERVED_NAMES = ("figures", "logs", "benchmarks", "geometry", "studies")
 MOST_UPDATES = 999
 _LONGEST_NAME = 60
 _MOST_NAMED = 12
+_FOLDER_NAME = f"use small letters, digits and underscores, a letter first, at most {_LONGEST_NAME} of them"
 
 Problem = tuple[tuple[str, ...], str]
 
@@ -45,6 +46,7 @@ def disagreements(values: dict[str, Any]) -> Iterator[Problem]:
         yield from _reference(values)
         yield from _case_lists(values)
     yield from _portraits(values)
+    yield from _studies(values)
 
 
 def _at(values: dict[str, Any], path: str) -> Any:
@@ -140,12 +142,8 @@ def _resolution(values: dict[str, Any]) -> Iterator[Problem]:
 
 def _case_names(values: dict[str, Any]) -> Iterator[Problem]:
     for name in values["cases"]:
-        if not re.fullmatch(CASE_NAME, name) or len(name) > _LONGEST_NAME:
-            yield (
-                ("cases", name),
-                f"not a case name; use small letters, digits and underscores, a letter first, "
-                f"at most {_LONGEST_NAME} of them",
-            )
+        if not _names_a_folder(name):
+            yield ("cases", name), f"not a case name; {_FOLDER_NAME}"
         elif name in RESERVED_NAMES:
             yield (
                 ("cases", name),
@@ -154,6 +152,19 @@ def _case_names(values: dict[str, Any]) -> Iterator[Problem]:
     for name in REQUIRED_CASES:
         if name not in values["cases"]:
             yield ("cases", name), "missing case; figures and claims read it, so give it its three keys"
+
+
+def _studies(values: dict[str, Any]) -> Iterator[Problem]:
+    for name, study in (_at(values, "studies") or {}).items():
+        if not _names_a_folder(name):
+            yield ("studies", name), f"not a name of a study; {_FOLDER_NAME}"
+        for member in _at(study, "members") or {}:
+            if not _names_a_folder(member):
+                yield ("studies", name, "members", member), f"not a name of a member; {_FOLDER_NAME}"
+
+
+def _names_a_folder(name: str) -> bool:
+    return bool(re.fullmatch(CASE_NAME, name)) and len(name) <= _LONGEST_NAME
 
 
 def _updates(values: dict[str, Any]) -> Iterator[Problem]:

@@ -8,6 +8,7 @@ from gearwear.dynamics import motion_class
 from gearwear.orbits.codes import BRANCH_ENDS, SPECIAL_POINTS, STABILITY
 
 MOTION_CLASSES = dict(zip(motion_class.FLAG_MEANINGS, motion_class.FLAG_VALUES, strict=True))
+CONFLICTS = dict(zip(motion_class.CONFLICT_MEANINGS, motion_class.CONFLICT_VALUES, strict=True))
 REASONS = dict(zip(motion_class.REASON_MEANINGS, motion_class.REASON_VALUES, strict=True))
 
 
@@ -155,6 +156,10 @@ FIELDS: dict[str, Field] = {
     ),
     "motion_class": Field("", "class of the motion", _POINT, MOTION_CLASSES),
     "period": Field("1", "mesh periods after which the motion repeats, 0 if it does not", _POINT),
+    "conflict": Field("", "what speaks against the class", _POINT, CONFLICTS),
+    "recurrence_period": Field("1", "mesh periods after which the section recurs, 0 if it does not", _POINT),
+    "stable_orbit_period": Field("1", "mesh periods of the stable orbit next to the section, 0 for none", _POINT),
+    "stable_orbit_distance": Field("1", "distance of the section from that orbit", _POINT, None, True),
     "recurrence_distance": Field("1", "distance of the section from its repetition", _POINT, None, True),
     "lyapunov_exponent": Field("1", "largest Lyapunov exponent per unit of dimensionless time", _POINT, None, True),
     "lyapunov_exponent_error": Field("1", "standard error of the largest Lyapunov exponent", _POINT, None, True),

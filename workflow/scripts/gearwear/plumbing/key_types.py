@@ -97,6 +97,11 @@ def target(meaning: str, unit: str | None = None, **limits: float) -> Any:
     return Field(description=meaning, json_schema_extra=extra, **limits)
 
 
+def table(meaning: str, entries: str) -> Any:
+    """Declare a table whose free names are not those of cases; it decides which files are made."""
+    return Field(description=meaning, json_schema_extra={"decides_targets": True, "entries": entries})
+
+
 def is_section(annotation: Any) -> bool:
     """Return whether a key of this type holds the keys of a model."""
     return isinstance(annotation, type) and issubclass(annotation, Section)
@@ -105,6 +110,11 @@ def is_section(annotation: Any) -> bool:
 def entry_type(annotation: Any) -> Any:
     """Return the type of the entries of a table with free names (such as cases), else None."""
     return get_args(annotation)[1] if get_origin(annotation) is dict else None
+
+
+def free_names(field: FieldInfo) -> str:
+    """Return what the free names of a table stand for, in the plural."""
+    return (field.json_schema_extra or {}).get("entries", "cases")
 
 
 def unit_of(field: FieldInfo) -> str | None:
@@ -118,8 +128,13 @@ def adapter(annotation: Any, metadata: tuple[Any, ...] = ()) -> TypeAdapter:
     return TypeAdapter(Annotated[(annotation, *metadata)] if metadata else annotation)
 
 
+def placeholder(field: FieldInfo) -> str:
+    """Return what stands for any free name of a table in dotted keys."""
+    return "<case>" if free_names(field) == "cases" else "<name>"
+
+
 def keys(model: type[Section], path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], FieldInfo]]:
-    """Yield path and declaration of every section and key of `model`; free names appear as `<case>`."""
+    """Yield path and declaration of every section and key of `model`; free names appear as placeholders."""
     for name, field in model.model_fields.items():
         here = (*path, name)
         yield here, field
@@ -127,4 +142,4 @@ def keys(model: type[Section], path: tuple[str, ...] = ()) -> Iterator[tuple[tup
         if is_section(field.annotation):
             yield from keys(field.annotation, here)
         elif is_section(entry):
-            yield from keys(entry, (*here, "<case>"))
+            yield from keys(entry, (*here, placeholder(field)))

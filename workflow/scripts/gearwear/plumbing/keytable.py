@@ -14,7 +14,7 @@ import yaml
 from pydantic.fields import FieldInfo
 
 from gearwear.plumbing.consistency import SWEEPS
-from gearwear.plumbing.key_types import adapter, entry_type, is_section, keys, unit_of
+from gearwear.plumbing.key_types import adapter, entry_type, is_section, keys, placeholder, unit_of
 from gearwear.plumbing.settings import check
 from gearwear.plumbing.slices import STAGES
 from gearwear.plumbing.study_sections import Configuration
@@ -95,7 +95,7 @@ def _without_titles(schema: Any) -> Any:
     return {
         key: _without_titles(value)
         for key, value in schema.items()
-        if not (key == "title" and isinstance(value, str)) and key != "decides_targets"
+        if not (key == "title" and isinstance(value, str)) and key not in ("decides_targets", "entries")
     }
 
 
@@ -103,7 +103,7 @@ def _leaves() -> Iterator[tuple[tuple[str, ...], FieldInfo]]:
     for path, field in keys(Configuration):
         entry = entry_type(field.annotation)
         if entry is not None and not is_section(entry):
-            yield (*path, "<case>"), field
+            yield (*path, placeholder(field)), field
         elif entry is None and not is_section(field.annotation):
             yield path, field
 
@@ -127,7 +127,7 @@ def _row(
 
 def _default(values: Any, path: tuple[str, ...]) -> str:
     for position, key in enumerate(path):
-        if key == "<case>":
+        if key in ("<case>", "<name>"):
             rest = path[position + 1 :]
             return ", ".join(f"{name}: {_default(value, rest)}" for name, value in values.items())
         values = values[key]

@@ -11,18 +11,26 @@ from pydantic import TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 
 from gearwear.plumbing.consistency import Problem, disagreements
-from gearwear.plumbing.key_types import Section, adapter, entry_type, is_section, keys, unit_of
+from gearwear.plumbing.key_types import Section, adapter, entry_type, free_names, is_section, keys, unit_of
 from gearwear.plumbing.study_sections import Configuration
 from gearwear.plumbing.wording import allowed, dotted, listed, refusal, shown
 
 _MOST_LINES = 200
 _LONGEST_KEY = 60
 _UNUSABLE = object()
-_TABLE = "give names of cases with their values below it"
 
 
 class ConfigError(ValueError):
-    """The configuration cannot be used; the message has one line for every problem."""
+    """The configuration cannot be used; the message has one line for every problem.
+
+    Parameters
+    ----------
+    problems : folder of the member of a study ("" for the study itself), path and text of each.
+    """
+
+    def __init__(self, problems: list[tuple[str, Problem]]):
+        super().__init__(_message(problems))
+        self.problems = problems
 
 
 def check(raw: Any) -> dict[str, Any]:
@@ -43,14 +51,15 @@ def check(raw: Any) -> dict[str, Any]:
     told = {path[:depth] for path, _ in problems for depth in range(len(path) + 1)}
     problems += [problem for problem in disagreements(values) if problem[0] not in told]
     if problems:
-        raise ConfigError(_message(problems))
+        raise ConfigError([("", problem) for problem in problems])
     return Configuration.model_validate(values).model_dump()
 
 
-def _message(problems: list[Problem]) -> str:
+def _message(problems: list[tuple[str, Problem]]) -> str:
     count = len(problems)
     lines = [f"configuration: {count} problem{'s' if count > 1 else ''}"]
-    lines += [f"  {dotted(path)}: {text}" for path, text in problems[:_MOST_LINES]]
+    for root, (path, text) in problems[:_MOST_LINES]:
+        lines.append(f"  {root.rstrip('/')}{': ' if root else ''}{dotted(path)}: {text}")
     if count > _MOST_LINES:
         lines.append(f"  and {count - _MOST_LINES} more")
     return "\n".join(lines)
@@ -72,7 +81,7 @@ def _read_section(model: type[Section], raw: Any, path: tuple, problems: list[Pr
 def _read_table(field: FieldInfo, raw: Any, path: tuple, problems: list[Problem]) -> Any:
     entry = entry_type(field.annotation)
     values = {}
-    for name, item in _grouped(raw, path, _TABLE, problems).items():
+    for name, item in _grouped(raw, path, _entries_of(field), problems).items():
         here = (*path, name)
         if not isinstance(name, str):
             problems.append((here, "the name is not text; put it in quotes or choose another"))
@@ -123,11 +132,15 @@ def _adapter_of(field: FieldInfo) -> TypeAdapter:
     return adapter(field.annotation, tuple(field.metadata))
 
 
+def _entries_of(field: FieldInfo) -> str:
+    return f"give names of {free_names(field)} with their values below it"
+
+
 def _missing(field: FieldInfo) -> str:
     if is_section(field.annotation):
         return f"missing section; give its keys {listed(list(field.annotation.model_fields))}"
     if entry_type(field.annotation) is not None:
-        return f"missing section; {_TABLE}"
+        return f"missing section; {_entries_of(field)}"
     return f"missing; give {allowed(_adapter_of(field).json_schema(), unit_of(field))}"
 
 

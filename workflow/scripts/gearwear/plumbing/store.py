@@ -78,12 +78,15 @@ def load(path: str | Path) -> xr.Dataset:
 
 def _makers(path: Path) -> tuple[str, ...]:
     """Return the rules that may have made a result, by its place: a swept quantity may be named like a stage."""
-    folder = path.parent.name
-    if path.parent.parent.name == "parts":
+    # First what is named after its stage: studies, members and cases may be called like folders of results.
+    if path.stem in ("geometry", "temperature", "deformation"):
+        return _MADE_BY[path.stem]
+    if re.fullmatch(r"\d+-of-\d+", path.stem):
         return _MADE_BY["parts"]
+    folder = path.parent.name
     if folder in ("branches", "portraits") or path.parent.parent.name == "sweeps" or re.fullmatch(r"q\d{3}", path.stem):
         return _MADE_BY.get(folder, ())
-    return _MADE_BY.get(path.stem, ()) if path.stem in ("geometry", "temperature", "deformation") else ()
+    return ()
 
 
 def save(dataset: xr.Dataset, job) -> None:

@@ -32,8 +32,10 @@ from gearwear.plumbing.key_types import (
     choice,
     plain,
     quantity,
+    table,
     target,
 )
+from gearwear.plumbing.member_sections import Study
 
 MOST_CYCLES = 10**12
 _Order = Annotated[int, Field(ge=1, le=64), ReadWhole]
@@ -250,3 +252,4 @@ class Configuration(Section):
     branches: Branches
     portraits: Portraits
     figures: Figures
+    studies: dict[CaseName, Study] = table("Studies made of members.", "studies")

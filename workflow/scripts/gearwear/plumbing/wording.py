@@ -21,6 +21,7 @@ _REASONS = {
     "string_type": "is not text",
     "string_unicode": "is not valid text",
     "list_type": "is not a list",
+    "dict_type": "is not a group of keys",
     "literal_error": "is not a choice of this key",
     "greater_than_equal": "is below the least allowed value {ge}",
     "greater_than": "is not above {gt}",
@@ -106,6 +107,8 @@ def allowed(schema: dict[str, Any], unit: str | None = None) -> str:
     kind = schema["type"]
     if kind == "null":
         return "null"
+    if kind == "object":
+        return "keys of the configuration with their values"
     if kind == "array":
         entries = "names" if schema["items"]["type"] == "string" else "numbers"
         fewest, most = schema.get("minItems", 0), schema.get("maxItems")

@@ -1,0 +1,82 @@
+"""Members of studies: what they override, what they keep, and bad overrides."""
+
+from pathlib import Path
+
+import pytest
+import yaml
+
+from gearwear.plumbing.members import members, merged
+from gearwear.plumbing.settings import ConfigError, check
+
+ROOT = Path(__file__).resolve().parents[3]
+
+
+@pytest.fixture
+def study():
+    """Return a function that gives the checked default study with the studies named."""
+    raw = yaml.safe_load((ROOT / "config" / "config.yaml").read_text(encoding="utf-8"))
+
+    def of(**studies):
+        return check(raw | {"studies": {name: {"members": table} for name, table in studies.items()}})
+
+    return of
+
+
+def test_the_study_itself_is_the_first_and_only_one_without_studies(study):
+    config = study()
+    assert members(config) == {"": config}
+
+
+def test_a_member_differs_from_the_study_in_its_overrides_only(study):
+    config = study(heat={"t120": {"cases": {"with": {"bulk_temperature": 120}}}})
+    found = members(config)
+    assert list(found) == ["", "studies/heat/t120/"]
+    member = found["studies/heat/t120/"]
+    assert member["cases"]["with"] == {"bulk_temperature": 120.0, "running_cycles": 2_100_000_000, "flash": True}
+    member["cases"]["with"]["bulk_temperature"] = 100.0
+    assert member == {**config, "studies": {}}
+
+
+def test_overrides_are_read_like_any_configuration(study):
+    found = members(study(oil={"thin": {"lubricant": {"pressure_viscosity": "2.4e-8"}, "dynamics": {}}}))
+    assert found["studies/oil/thin/"]["lubricant"]["pressure_viscosity"] == 2.4e-8
+
+
+def test_a_changed_value_of_the_study_reaches_its_members(study):
+    config = study(heat={"t120": {"cases": {"with": {"bulk_temperature": 120}}}})
+    config["dynamics"]["damping_ratio"] = 0.09
+    assert members(config)["studies/heat/t120/"]["dynamics"]["damping_ratio"] == 0.09
+
+
+def test_a_member_may_have_cases_of_its_own(study):
+    case = {"bulk_temperature": 50.0, "running_cycles": 0, "flash": False}
+    found = members(study(heat={"more": {"cases": {"warm": case}}}))
+    assert found["studies/heat/more/"]["cases"]["warm"] == case
+    assert "warm" not in found[""]["cases"]
+
+
+def test_every_problem_of_every_member_is_named_with_member_and_key(study):
+    config = study(
+        heat={
+            "t120": {"cases": {"with": {"bulk_temprature": 120}}, "dynamics": {"damping_ratio": 2}},
+            "good": {"cases": {"with": {"bulk_temperature": 120}}},
+        },
+        more={"nested": {"studies": {}}, "long": {"wear": {"cycles_per_update": 1e6}}},
+    )
+    with pytest.raises(ConfigError) as caught:
+        members(config)
+    assert str(caught.value).split("\n")[:5] == [
+        "configuration: 6 problems",
+        "  studies/heat/t120: dynamics.damping_ratio: 2.0 is not below 1; give a number from 1.0e-4 to below 1",
+        "  studies/heat/t120: cases.with.bulk_temprature: unknown key (did you mean cases.with.bulk_temperature?)",
+        "  studies/more/nested: studies: a member has no studies of its own; take them out",
+        "  studies/more/long: cases.wear_only.running_cycles: 2.1e+9 is more than 999 times wear.cycles_per_update, "
+        "1.0e+6; give at most 9.99e+8, or raise wear.cycles_per_update to 2.102103e+6 or more",
+    ]
+
+
+def test_merging_replaces_all_but_groups_and_leaves_both_as_they_were():
+    base, overrides = {"a": {"b": 1, "c": [1, 2]}, "d": {"e": 1}}, {"a": {"c": [3]}, "d": None, "f": {"g": 1}}
+    assert merged(base, overrides) == {"a": {"b": 1, "c": [3]}, "d": None, "f": {"g": 1}}
+    assert base == {"a": {"b": 1, "c": [1, 2]}, "d": {"e": 1}}
+    assert overrides == {"a": {"c": [3]}, "d": None, "f": {"g": 1}}

@@ -1,0 +1,55 @@
+"""Members of studies: the same configuration with a few keys overridden, each computed in a folder of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from gearwear.plumbing.settings import ConfigError, check
+
+Overrides = Mapping[str, Any]
+
+
+def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    """Return the checked configuration of every member, by its folder below `results/`.
+
+    Parameters
+    ----------
+    config : the checked configuration of the study itself, whose folder is "".
+
+    Returns
+    -------
+    folder, "" or "studies/STUDY/MEMBER/" -> checked configuration; that of a member has no studies.
+
+    Raises
+    ------
+    ConfigError : with one line for every problem of any member, naming the member and the key.
+    """
+    found, problems = {"": config}, []
+    for study, table in _studies(config).items():
+        for member, overrides in table.items():
+            root = f"studies/{study}/{member}/"
+            if "studies" in overrides:
+                problems.append((root, (("studies",), "a member has no studies of its own; take them out")))
+                continue
+            try:
+                found[root] = check(merged({**config, "studies": {}}, overrides))
+            except ConfigError as error:
+                problems += [(root, problem) for _, problem in error.problems]
+    if problems:
+        raise ConfigError(problems)
+    return found
+
+
+def merged(base: Overrides, overrides: Overrides) -> dict[str, Any]:
+    """Return `base` with `overrides` laid over it: groups of keys are merged, all else is replaced."""
+    result = dict(base)
+    for key, value in overrides.items():
+        below = result.get(key)
+        both = isinstance(below, Mapping) and isinstance(value, Mapping)
+        result[key] = merged(below, value) if both else value
+    return result
+
+
+def _studies(config: dict[str, Any]) -> dict[str, Mapping[str, Overrides]]:
+    return {name: study["members"] for name, study in config["studies"].items()}
