@@ -229,7 +229,7 @@ BAD = [
     (
         "settling.sampled_periods",
         32,
-        "32 is too few to see settling.largest_period, 16, come back in either half; give at least 64 mesh periods",
+        "32 is too few to see settling.largest_period, 60, come back in either half; give at least 240 mesh periods",
     ),
     ("settling.largest_period", 65, "65 is above the largest allowed value 64; give a whole number from 1 to 64"),
     ("friction.boundary", 0.3, "0.3 is above friction.dry, 0.2; lower it or raise friction.dry"),

@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from gearwear.attractors.record import columns
-from gearwear.attractors.settling import Settling, settle
+from gearwear.attractors.settling import Settling, settle_many
 from gearwear.dynamics.excitation import excitation, rest_state, swept_oscillator
 from gearwear.dynamics.parts import indices
 from gearwear.plumbing import stage, store
@@ -22,11 +22,10 @@ def main(job):
     source = excitation(geometry, state, reference, cfg["operation"]["pinion_torque"], dynamics)
     values = np.linspace(swept["first"], swept["last"], swept["points"])
     own = indices(swept["points"], job.wildcards.scatteritem)
-    settling, motions = Settling(**cfg["settling"]), []
-    for i in own:
-        oscillator = swept_oscillator(source, sweep, float(values[i]), dynamics, swept)
-        begin = rest_state(source, oscillator, dynamics)
-        motions.append(settle(oscillator, begin, settling, dynamics["tolerance"]))
+    settling = Settling(**cfg["settling"])
+    oscillators = [swept_oscillator(source, sweep, float(values[i]), dynamics, swept) for i in own]
+    begins = [rest_state(source, oscillator, dynamics) for oscillator in oscillators]
+    motions = settle_many(oscillators, np.reshape(begins, (-1, 2)), settling, dynamics["tolerance"])
     stage.log.info("%d points of %s swept", len(own), sweep)
     table = columns(motions, settling.sampled_periods, source.force_parameter)
     store.save(xr.Dataset(table, {sweep: ("point", values[own])}), job)

@@ -78,15 +78,15 @@ def load(path: str | Path) -> xr.Dataset:
 
 def _makers(path: Path) -> tuple[str, ...]:
     """Return the rules that may have made a result, by its place: a swept quantity may be named like a stage."""
-    # First what is named after its stage: studies, members and cases may be called like folders of results.
-    if path.stem in ("geometry", "temperature", "deformation"):
-        return _MADE_BY[path.stem]
+    # Studies, members, cases and swept quantities may be called like stages or their folders.
+    folder, above = path.parent.name, path.parent.parent.name
     if re.fullmatch(r"\d+-of-\d+", path.stem):
         return _MADE_BY["parts"]
-    folder = path.parent.name
-    if folder in ("branches", "portraits") or path.parent.parent.name == "sweeps" or re.fullmatch(r"q\d{3}", path.stem):
+    if re.fullmatch(r"q\d{3}", path.stem) or folder in ("branches", "portraits"):
         return _MADE_BY.get(folder, ())
-    return ()
+    if above == "sweeps" and folder in ("restart", "up", "down"):
+        return _MADE_BY[folder]
+    return _MADE_BY[path.stem] if path.stem in ("geometry", "temperature", "deformation") else ()
 
 
 def save(dataset: xr.Dataset, job) -> None:

@@ -120,7 +120,12 @@ class Dynamics(Section):
         varying="function of the mesh phase",
     )
     torque_fluctuation: TorqueFluctuation
-    tolerance: Number = quantity("1", "Relative tolerance of the integrator.", ge=1e-13, le=1e-4)
+    tolerance: Number = quantity(
+        "1",
+        "Relative tolerance of Dormand-Prince, used where the affine map does not apply: torque at another frequency.",
+        ge=1e-13,
+        le=1e-4,
+    )
     start: Start
 
 
