@@ -24,4 +24,5 @@ rule all:
     input:
         states(),
         figures(),
+        basin_figures(),
         "results/claims.csv",

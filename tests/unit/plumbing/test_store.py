@@ -270,7 +270,7 @@ def test_lineage_of_the_inputs_is_written_beside_the_own(tmp_path):
         ("results/with/backlash/q003.nc", ("open_backlash",)),
         ("results/with/sweeps/restart/backlash.nc", ("join_sweep",)),
         ("results/with/sweeps/up/backlash.nc", ("carry_sweep",)),
-        ("results/with/sweeps/down/ste.nc", ("carry_sweep",)),
+        ("results/with/sweeps/down/temperature.nc", ("carry_sweep",)),
         ("results/with/portraits/backlash.nc", ("trace_portraits",)),
         ("results/with/branches/backlash.nc", ("continue_orbits",)),
         ("results/with/sweeps/parts/backlash/1-of-4.nc", ("sweep_part",)),

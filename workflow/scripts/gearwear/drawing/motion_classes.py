@@ -39,6 +39,11 @@ def short(name: str) -> str:
     return "?" if name == "not_converged" else name
 
 
+def colour(name: str) -> str:
+    """Return the colour of a motion class."""
+    return _UNDECIDED if name == "not_converged" else _COLOURS.get(name, _OTHER_PERIOD)
+
+
 def runs(swept: np.ndarray, names: Sequence[str]) -> list[tuple[float, float, str]]:
     """Return (low, high, class) of neighbours of one class, meeting midway between points; `swept` ascends."""
     middles = (swept[1:] + swept[:-1]) / 2
@@ -76,4 +81,4 @@ def _worded(name: str) -> str:
 def _fill(name: str) -> dict[str, str]:
     if name == "not_converged":
         return {"facecolor": _UNDECIDED, "edgecolor": "#777777", "hatch": "//////"}
-    return {"facecolor": _COLOURS.get(name, _OTHER_PERIOD)}
+    return {"facecolor": colour(name)}

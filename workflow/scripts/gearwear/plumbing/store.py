@@ -40,6 +40,7 @@ _MADE_BY = {
     "down": ("carry_sweep",),
     "branches": ("continue_orbits",),
     "portraits": ("trace_portraits",),
+    "basins": ("map_basins",),
 }
 
 
@@ -82,7 +83,7 @@ def _makers(path: Path) -> tuple[str, ...]:
     folder, above = path.parent.name, path.parent.parent.name
     if re.fullmatch(r"\d+-of-\d+", path.stem):
         return _MADE_BY["parts"]
-    if re.fullmatch(r"q\d{3}", path.stem) or folder in ("branches", "portraits"):
+    if re.fullmatch(r"q\d{3}", path.stem) or folder in ("branches", "portraits", "basins"):
         return _MADE_BY.get(folder, ())
     if above == "sweeps" and folder in ("restart", "up", "down"):
         return _MADE_BY[folder]

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from gearwear.plumbing.basin_sections import Basins
 from gearwear.plumbing.gear_sections import (
     Backlash,
     Elasticity,
@@ -256,5 +257,6 @@ class Configuration(Section):
     sweeps: Sweeps
     branches: Branches
     portraits: Portraits
+    basins: Basins
     figures: Figures
     studies: dict[CaseName, Study] = table("Studies made of members.", "studies")
