@@ -17,6 +17,7 @@ include: "workflow/rules/common.smk"
 include: "workflow/rules/state.smk"
 include: "workflow/rules/sweeps.smk"
 include: "workflow/rules/figures.smk"
+include: "workflow/rules/maps.smk"
 
 
 rule all:
@@ -26,3 +27,9 @@ rule all:
         figures(),
         basin_figures(),
         "results/claims.csv",
+        "results/claims.html",
+
+
+rule maps:
+    input:
+        mapped(),

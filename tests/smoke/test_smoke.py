@@ -30,6 +30,8 @@ def test_all_claims_are_judged_and_counted(smoke_run):
     assert {row["verdict"] for row in rows} <= {"agree", "differs", "not decided"}
     agree = sum(row["verdict"] == "agree" for row in rows)
     assert f"Claims of the paper: {agree} of 54 agree" in smoke_run.printed
+    page = (smoke_run.folder / "results" / "claims.html").read_text(encoding="utf-8")
+    assert f"{agree} of 54 agree" in page and page.count('<tr class="') == 54
 
 
 def test_every_job_left_a_log_and_a_benchmark(smoke_run):

@@ -124,6 +124,7 @@ def motion(classes):
         "section_displacement": (("point", "sample"), section),
         "section_velocity": (("point", "sample"), 0.5 * section),
         "motion_class": ("point", classes),
+        "conflict": ("point", np.where(classes == 2, 1, 0)),
         "period": ("point", period),
         "lyapunov_exponent": ("point", np.where(classes == 0, np.nan, exponent)),
     }
@@ -197,6 +198,7 @@ WORDS = {
         "unstableorbits",
         "section,fromrest",
         "upanddowndiffer",
+        "evidencedisagrees",
     ],
     13: ["(a)0.3", "P1,−0.080", "?,noexponent", "CH,+0.050", "Displacementoverinitialhalfbacklash", "Case“without”"],
     14: ["(a)0.3", "sectionatpairentry"],

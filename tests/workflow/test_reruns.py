@@ -22,6 +22,7 @@ RULE_OF_FOLDER = {
     "portraits": "trace_portraits",
     "figures": "figures",
 }
+CLAIMS = {"results/claims.csv", "results/claims.html"}
 CHANGED_VALUES = {
     "gear_pair.face_width": 0.017,
     "material.pinion.density": 7800.0,
@@ -47,7 +48,7 @@ def rule_of(path: str) -> str:
     parts = Path(path).parts
     if path == "results/geometry.nc":
         return "build_geometry"
-    if path == "results/claims.csv":
+    if path in CLAIMS:
         return "judge_claims"
     if parts[-1] == "temperature.nc":
         return "heat_contact"
@@ -105,14 +106,14 @@ def test_bulk_temperature_of_a_case_reruns_only_this_case(smoke_run):
     planned = plan_after(smoke_run, "cases.n0700_t060.bulk_temperature", 61.0)
     own = {path for path in planned if path.startswith("results/n0700_t060/")}
     shared = {f"results/figures/fig{n:02d}.{kind}" for n in range(6, 12) for kind in ("svg", "png")}
-    assert own and planned - own == shared | {"results/claims.csv"}
+    assert own and planned - own == shared | CLAIMS
     assert "results/n0700_t060/wear/q000.nc" not in planned
 
 
 def test_longer_life_adds_only_the_new_cycle_and_what_reads_the_last(smoke_run):
     planned = plan_after(smoke_run, "cases.wear_only.running_cycles", 3.0e8)
     added = {f"results/wear_only/{stage}/q003.nc" for stage in list(RULE_OF_FOLDER)[:5]}
-    assert planned == added | {"results/claims.csv"}
+    assert planned == added | CLAIMS
 
 
 def test_comment_and_key_order_rerun_nothing(smoke_run):

@@ -2,7 +2,7 @@ from snakemake.exceptions import WorkflowError
 
 from gearwear.plumbing import settings
 from gearwear.plumbing.closure import digest
-from gearwear.plumbing.members import members
+from gearwear.plumbing.members import members, temperature_root
 from gearwear.plumbing.runlock import RunningAlready, hold, only_looks
 from gearwear.plumbing.slices import slice_of
 
@@ -31,10 +31,12 @@ wildcard_constraints:
     ),
     q=r"\d{3}",
     sweep="mesh_frequency|ste|backlash",
+    map="ste|backlash|temperature|wear",
 
 
 scattergather:
     sweep=4,
+    map=16,
 
 
 def member(root):
@@ -53,7 +55,7 @@ def cfg(stage):
     def cut(wildcards):
         case, sweep = wildcards.get("case", ""), wildcards.get("sweep", "")
         try:
-            return slice_of(member(wildcards.root), stage, case, sweep)
+            return slice_of(member(wildcards.get("root", "")), stage, case, sweep)
         except KeyError as error:
             raise WorkflowError(
                 f"config: {stage} finds no {error} for case {case}; see config/README.md"
@@ -97,8 +99,9 @@ def reference(stage):
     """Input function: the file of a stage of the pristine reference case."""
 
     def pristine(wildcards):
-        case = member(wildcards.root)["dynamics"]["reference_case"]
-        return f"results/{wildcards.root}{case}/{stage}/q000.nc"
+        root = wildcards.get("root", "")
+        case = member(root)["dynamics"]["reference_case"]
+        return f"results/{root}{case}/{stage}/q000.nc"
 
     return pristine
 

@@ -49,11 +49,15 @@ def judged():
             ]
     files += [f"results/with/wear/q{q:03d}.nc" for q in range(1, int(last("with")))]
     files += [f"results/{case}/response/q{last(case)}.nc" for case in config["cases"]]
+    return files + main_sweeps()
+
+
+def main_sweeps():
+    """Every sweep in the order that the claims judge."""
     order = config["sweeps"]["order"]
-    files += [
+    return [
         f"results/{case}/sweeps/{order}/{sweep}.nc" for case, sweep in swept_cases()
     ]
-    return files
 
 
 def drawn_state(case):
@@ -84,9 +88,9 @@ def drawn_basins(wildcards):
     }
 
 
-def caption(number):
+def caption(figure):
     """The caption of a figure in the report."""
-    return str(Path(workflow.basedir) / "workflow" / "report" / f"fig{number}.rst")
+    return str(Path(workflow.basedir) / "workflow" / "report" / f"{figure}.rst")
 
 
 rule judge_claims:
@@ -108,6 +112,32 @@ rule judge_claims:
         "../scripts/judge_claims.py"
 
 
+rule show_claims:
+    input:
+        claims=CLAIMS,
+        scorecard="results/claims.csv",
+        sweeps=main_sweeps(),
+        template=str(Path(workflow.basedir) / "workflow" / "report" / "claims.html.j2"),
+    output:
+        report(
+            "results/claims.html",
+            caption=caption("claims"),
+            category="Claims of the paper",
+            labels={"figure": "scorecard"},
+        ),
+    log:
+        "results/logs/show_claims.log",
+    benchmark:
+        "results/benchmarks/show_claims.tsv"
+    params:
+        cfg={},
+        code=code("show_claims.py"),
+    message:
+        "Writing the scorecard of the claims as a page."
+    script:
+        "../scripts/show_claims.py"
+
+
 rule plot_wear:
     input:
         geometry="results/geometry.nc",
@@ -116,7 +146,7 @@ rule plot_wear:
     output:
         svg=report(
             "results/figures/fig06.svg",
-            caption=caption("06"),
+            caption=caption("fig06"),
             category="Flanks",
             labels={"figure": "6"},
         ),
@@ -142,7 +172,7 @@ rule plot_growth:
     output:
         svg=report(
             "results/figures/fig07.svg",
-            caption=caption("07"),
+            caption=caption("fig07"),
             category="Flanks",
             labels={"figure": "7"},
         ),
@@ -169,7 +199,7 @@ rule plot_stiffness:
     output:
         svg=report(
             "results/figures/fig08.svg",
-            caption=caption("08"),
+            caption=caption("fig08"),
             category="Excitations",
             labels={"figure": "8"},
         ),
@@ -195,7 +225,7 @@ rule plot_error:
     output:
         svg=report(
             "results/figures/fig09.svg",
-            caption=caption("09"),
+            caption=caption("fig09"),
             category="Excitations",
             labels={"figure": "9"},
         ),
@@ -223,7 +253,7 @@ rule plot_growth_share:
     output:
         svg=report(
             "results/figures/fig10.svg",
-            caption=caption("10"),
+            caption=caption("fig10"),
             category="Excitations",
             labels={"figure": "10"},
         ),
@@ -249,7 +279,7 @@ rule plot_backlash:
     output:
         svg=report(
             "results/figures/fig11.svg",
-            caption=caption("11"),
+            caption=caption("fig11"),
             category="Excitations",
             labels={"figure": "11"},
         ),
@@ -290,7 +320,7 @@ rule plot_frequency_sweep:
     output:
         svg=report(
             "results/figures/fig12.svg",
-            caption=caption("12"),
+            caption=caption("fig12"),
             category="Dynamics",
             labels={"figure": "12"},
         ),
@@ -323,7 +353,7 @@ rule plot_portraits_cold:
     output:
         svg=report(
             "results/figures/fig13.svg",
-            caption=caption("13"),
+            caption=caption("fig13"),
             category="Dynamics",
             labels={"figure": "13"},
         ),
@@ -352,7 +382,7 @@ rule plot_portraits_hot:
     output:
         svg=report(
             "results/figures/fig14.svg",
-            caption=caption("14"),
+            caption=caption("fig14"),
             category="Dynamics",
             labels={"figure": "14"},
         ),
@@ -397,7 +427,7 @@ rule plot_ste_sweep:
     output:
         svg=report(
             "results/figures/fig15.svg",
-            caption=caption("15"),
+            caption=caption("fig15"),
             category="Dynamics",
             labels={"figure": "15"},
         ),
@@ -427,7 +457,7 @@ rule plot_portraits_ste:
     output:
         svg=report(
             "results/figures/fig16.svg",
-            caption=caption("16"),
+            caption=caption("fig16"),
             category="Dynamics",
             labels={"figure": "16"},
         ),
@@ -468,7 +498,7 @@ rule plot_backlash_sweep:
     output:
         svg=report(
             "results/figures/fig17.svg",
-            caption=caption("17"),
+            caption=caption("fig17"),
             category="Dynamics",
             labels={"figure": "17"},
         ),
@@ -500,7 +530,7 @@ rule plot_portraits_backlash:
     output:
         svg=report(
             "results/figures/fig18.svg",
-            caption=caption("18"),
+            caption=caption("fig18"),
             category="Dynamics",
             labels={"figure": "18"},
         ),
@@ -529,7 +559,7 @@ rule plot_basins:
     output:
         svg=report(
             "results/figures/basins_{case}_{sweep}.svg",
-            caption=str(Path(workflow.basedir) / "workflow" / "report" / "basins.rst"),
+            caption=caption("basins"),
             category="Dynamics",
             labels={"figure": "basins of {case} over {sweep}"},
         ),

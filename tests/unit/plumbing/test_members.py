@@ -17,20 +17,31 @@ def study():
     raw = yaml.safe_load((ROOT / "config" / "config.yaml").read_text(encoding="utf-8"))
 
     def of(**studies):
+        raw["maps"]["temperature"] = [40, 60.5]
         return check(raw | {"studies": {name: {"members": table} for name, table in studies.items()}})
 
     return of
 
 
-def test_the_study_itself_is_the_first_and_only_one_without_studies(study):
+MAPPED = ["studies/temperature/t40/", "studies/temperature/t60_5/"]
+
+
+def test_the_study_itself_is_the_first_and_only_one_without_members(study):
     config = study()
-    assert members(config) == {"": config}
+    found = members(config)
+    assert list(found) == ["", *MAPPED]
+    assert found[""] == config
+
+
+def test_every_temperature_of_the_map_is_a_member(study):
+    found = members(study())
+    assert [found[root]["cases"]["with"]["bulk_temperature"] for root in MAPPED] == [40.0, 60.5]
 
 
 def test_a_member_differs_from_the_study_in_its_overrides_only(study):
     config = study(heat={"t120": {"cases": {"with": {"bulk_temperature": 120}}}})
     found = members(config)
-    assert list(found) == ["", "studies/heat/t120/"]
+    assert list(found) == ["", *MAPPED, "studies/heat/t120/"]
     member = found["studies/heat/t120/"]
     assert member["cases"]["with"] == {"bulk_temperature": 120.0, "running_cycles": 2_100_000_000, "flash": True}
     member["cases"]["with"]["bulk_temperature"] = 100.0

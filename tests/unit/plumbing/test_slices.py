@@ -11,6 +11,7 @@ from gearwear.plumbing.slices import STAGES, slice_of
 
 ROOT = Path(__file__).resolve().parents[3]
 SWEPT = ("sweep", "branches", "portraits")
+MAPS = {"map_ste", "map_backlash", "map_temperature", "map_wear"}
 
 
 @pytest.fixture
@@ -68,7 +69,7 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("elasticity.law", {"temperature", "advance_wear", "mesh_stiffness"}),
         (
             "operation.pinion_torque",
-            {"temperature", "transmission_error", "advance_wear", "response", "sweep", "branches", "portraits"},
+            {"temperature", "transmission_error", "advance_wear", "response", "sweep", "branches", "portraits"} | MAPS,
         ),
         ("operation.pinion_speed", {"temperature", "advance_wear", "response"}),
         ("lubricant.composite_roughness", {"temperature", "advance_wear"}),
@@ -79,8 +80,8 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("transmission_error.mode", {"transmission_error"}),
         ("backlash.half_backlash", {"backlash"}),
         ("wear.cycles_per_update", {"advance_wear"}),
-        ("dynamics.damping_ratio", {"response", "sweep", "branches", "portraits"}),
-        ("settling.largest_period", {"response", "sweep", "portraits"}),
+        ("dynamics.damping_ratio", {"response", "sweep", "branches", "portraits"} | MAPS),
+        ("settling.largest_period", {"response", "sweep", "portraits"} | MAPS),
         ("cases.with.bulk_temperature", {"temperature", "deformation", "advance_wear", "mesh_stiffness"}),
         ("cases.with.flash", {"temperature"}),
         ("cases.with.running_cycles", set()),
@@ -96,6 +97,10 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("portraits.ste.with", set()),
         ("portraits.mesh_frequency.without", set()),
         ("figures.diagonal", set()),
+        ("maps.case", set()),
+        ("maps.mesh_frequency.points", MAPS),
+        ("maps.temperature", {"map_temperature"}),
+        ("sweeps.backlash.reading", {"sweep", "branches", "portraits", "map_backlash"}),
     ],
 )
 def test_a_key_reaches_its_stages_and_no_other(config, keys, stages):
@@ -134,5 +139,5 @@ def test_every_key_of_the_physics_reaches_a_stage(config):
                 }
     only_targets = {("cases", case, "running_cycles") for case in config["cases"]}
     only_targets |= {("sweeps", sweep, "cases") for sweep in config["portraits"]}
-    only_targets |= {("sweeps", "order"), ("figures", "diagonal")}
+    only_targets |= {("sweeps", "order"), ("figures", "diagonal"), ("maps", "case")}
     assert set(leaves(config)) - reached == only_targets

@@ -274,6 +274,8 @@ def test_lineage_of_the_inputs_is_written_beside_the_own(tmp_path):
         ("results/with/portraits/backlash.nc", ("trace_portraits",)),
         ("results/with/branches/backlash.nc", ("continue_orbits",)),
         ("results/with/sweeps/parts/backlash/1-of-4.nc", ("sweep_part",)),
+        ("results/with/maps/tiles/ste/1-of-4.nc", ("map_tile",)),
+        ("results/with/maps/wear.nc", ("join_map",)),
         ("results/studies/heat/t120/geometry.nc", ("build_geometry",)),
         ("results/studies/heat/t120/with/wear/q003.nc", ("start_wear", "advance_wear")),
         ("results/studies/parts/sweeps/geometry.nc", ("build_geometry",)),

@@ -9,9 +9,11 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from gearwear.drawing import branches, motion_classes, orders, sections, states, swept
 from gearwear.drawing.sheet import DOUBLE, letter
+from gearwear.plumbing.fields import CONFLICTS
 
 # Heights and margins, mm.
 _LEFT, _RIGHT, _TOP, _BOTTOM = 18.0, 3.0, 14.0, 10.0
@@ -21,6 +23,7 @@ _DIAGRAM = _TITLE + _STRIP + _GAP + _SECTION + _GAP + _EXPONENT
 _LABEL = -9.5  # mm, right edge of the ordinate's label from the axis
 _INK, _CHAOS = "#1A1A1A", "#D55E00"
 _DOTS = (0.5, 1.0)
+_DOUBT = {"linestyle": "none", "marker": "v", "markersize": 3, "markeredgewidth": 0, "color": "#B8478F"}
 
 Windows = Sequence[tuple[float, float, str]]
 
@@ -48,7 +51,7 @@ def draw(
     """
     names: set[str] = set()
     special: set[int] = set()
-    apart = False
+    apart, doubtful = False, False
     total = height(len(sweeps))
     for position, (by_order, followed, windows, state) in enumerate(
         zip(sweeps, orbits, paper, cfg["states"], strict=True)
@@ -65,6 +68,9 @@ def draw(
         rows = {"paper": windows} | _classes(values, by_order, cfg["order"])
         names |= {name for zones in rows.values() for *_, name in zones}
         _draw_classes(strip, rows)
+        doubts = values[dataset["conflict"].values != CONFLICTS["none"]]
+        strip.plot(doubts, np.full(len(doubts), len(rows)), clip_on=False, **_DOUBT)
+        doubtful = doubtful or bool(len(doubts))
         differing = orders.ranges(values, by_order)
         apart = apart or bool(differing)
         for axes in (section, exponent):
@@ -85,6 +91,8 @@ def draw(
             axes.yaxis.set_label_coords(_LABEL / (DOUBLE - _LEFT - _RIGHT), 0.5)
     exponent.set_xlabel(swept.LABELS[cfg["sweep"]])
     keys = motion_classes.keys(names)
+    if doubtful:
+        keys.append(Line2D([], [], label="evidence disagrees", **_DOUBT))
     figure.legend(handles=keys, loc="upper center", ncols=len(keys), handlelength=1.2, columnspacing=1.2)
     lines = branches.keys(special, any(followed.sizes["node"] for followed in orbits))
     for row, keys in enumerate((orders.keys(cfg["order"], apart), lines), start=1):

@@ -40,7 +40,7 @@ def short(name: str) -> str:
 
 
 def colour(name: str) -> str:
-    """Return the colour of a motion class."""
+    """Return the colour of a class by its name; white for one that is not decided."""
     return _UNDECIDED if name == "not_converged" else _COLOURS.get(name, _OTHER_PERIOD)
 
 

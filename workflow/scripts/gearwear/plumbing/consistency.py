@@ -19,6 +19,7 @@ SWEEPS = ("mesh_frequency", "ste", "backlash")
 REQUIRED_CASES = ("without", "temperature_only", "wear_only", "with")
 DRAWN_PORTRAITS = (("mesh_frequency", "without"), ("mesh_frequency", "with"), ("ste", "with"), ("backlash", "with"))
 RESERVED_NAMES = ("figures", "logs", "benchmarks", "geometry", "studies")
+MADE_STUDIES = ["temperature"]
 MOST_UPDATES = 999
 _LONGEST_NAME = 60
 _MOST_NAMED = 12
@@ -47,6 +48,7 @@ def disagreements(values: dict[str, Any]) -> Iterator[Problem]:
         yield from _case_lists(values)
     yield from _portraits(values)
     yield from _basins(values)
+    yield from _maps(values)
     yield from _studies(values)
 
 
@@ -141,6 +143,25 @@ def _resolution(values: dict[str, Any]) -> Iterator[Problem]:
         )
 
 
+def _maps(values: dict[str, Any]) -> Iterator[Problem]:
+    for axis in ("mesh_frequency", "ste", "backlash"):
+        ends = _pair(values, f"maps.{axis}.first", f"maps.{axis}.last")
+        if ends and ends[1] <= ends[0]:
+            yield ("maps", axis, "last"), f"{ends[1]} is not above maps.{axis}.first, {ends[0]}; exchange them"
+    case, cases = _at(values, "maps.case"), _at(values, "cases")
+    if case is not None and isinstance(cases, dict) and case not in cases:
+        yield ("maps", "case"), _no_such_case(case, cases)
+    temperatures, initial = _at(values, "maps.temperature") or [], _at(values, "heat.initial_temperature")
+    for position, value in enumerate(temperatures):
+        path = ("maps", "temperature", f"[{position}]")
+        if position and value <= temperatures[position - 1]:
+            yield path, f"{value} is not above the value before, {temperatures[position - 1]} degC; sort the list"
+        elif not -40.0 <= value <= 250.0:
+            yield path, f"{value} is outside -40 to 250 degC; give a bulk temperature within"
+        elif initial is not None and value < initial:
+            yield path, f"{value} is below heat.initial_temperature, {initial} degC; give at least that"
+
+
 def _case_names(values: dict[str, Any]) -> Iterator[Problem]:
     for name in values["cases"]:
         if not _names_a_folder(name):
@@ -159,6 +180,8 @@ def _studies(values: dict[str, Any]) -> Iterator[Problem]:
     for name, study in (_at(values, "studies") or {}).items():
         if not _names_a_folder(name):
             yield ("studies", name), f"not a name of a study; {_FOLDER_NAME}"
+        elif name in MADE_STUDIES:
+            yield ("studies", name), f"the name is taken by a study of the program; use none of {listed(MADE_STUDIES)}"
         for member in _at(study, "members") or {}:
             if not _names_a_folder(member):
                 yield ("studies", name, "members", member), f"not a name of a member; {_FOLDER_NAME}"

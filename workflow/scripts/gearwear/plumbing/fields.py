@@ -24,6 +24,7 @@ class Field(NamedTuple):
 
 _SCALAR, _GEAR = ((),), (("gear",),)
 _PATH, _BOTH = (("path",),), (("gear", "path"),)
+_ROW, _COLUMN, _PLANE = (("row",),), (("column",),), (("row", "column"),)
 _PHASE, _POINT = (("mesh_phase",),), (("point",), ())
 _NODE, _BRANCH = (("node",),), (("branch",),)
 _ATTRACTOR = (("point", "attractor"),)
@@ -102,7 +103,7 @@ FIELDS: dict[str, Field] = {
     # wear
     "wear_depth": Field("m", "wear depth normal to the flank", _BOTH),
     "wear_per_revolution": Field("m", "wear depth added per revolution of the pinion in the last block", _BOTH),
-    "running_cycles": Field("1", "revolutions of the pinion so far", _SCALAR),
+    "running_cycles": Field("1", "revolutions of the pinion so far", _SCALAR + _ROW),
     # mesh stiffness
     "mesh_stiffness": Field("N m-1", "mesh stiffness", _PHASE),
     "pair_stiffness": Field("N m-1", "stiffness of one tooth pair", _PATH),
@@ -147,32 +148,36 @@ FIELDS: dict[str, Field] = {
         "1", "mean transmission error over that of the reference case, if this has one", _SCALAR, None, True
     ),
     # sweeps, portraits and basins
-    "mesh_frequency": Field("1", "mesh frequency over natural frequency", _POINT + _NODE),
-    "ste": Field("1", "mean static transmission error over that of the reference case", _POINT + _NODE),
-    "swept backlash": Field("1", "mean half clearance over its initial value", _POINT + _NODE),
+    "mesh_frequency": Field("1", "mesh frequency over natural frequency", _POINT + _NODE + _COLUMN),
+    "ste": Field("1", "mean static transmission error over that of the reference case", _POINT + _NODE + _ROW),
+    "swept backlash": Field("1", "mean half clearance over its initial value", _POINT + _NODE + _ROW),
     "section_displacement": Field("1", "displacement at mesh phase 0 over initial half backlash", _SECTION, None, True),
     "section_velocity": Field("1", "velocity at mesh phase 0 in units of initial half backlash", _SECTION, None, True),
-    "motion_class": Field("", "class of the motion", _MOTION, MOTION_CLASSES),
-    "period": Field("1", "mesh periods after which the motion repeats, 0 if it does not", _MOTION),
-    "conflict": Field("", "what speaks against the class", _MOTION, CONFLICTS),
+    "motion_class": Field("", "class of the motion", _MOTION + _PLANE, MOTION_CLASSES),
+    "period": Field("1", "mesh periods after which the motion repeats, 0 if it does not", _MOTION + _PLANE),
+    "conflict": Field("", "what speaks against the class", _MOTION + _PLANE, CONFLICTS),
     "recurrence_period": Field("1", "mesh periods after which the section recurs, 0 if it does not", _MOTION),
     "stable_orbit_period": Field("1", "mesh periods of the stable orbit next to the section, 0 for none", _MOTION),
     "stable_orbit_distance": Field("1", "distance of the section from that orbit", _MOTION, None, True),
     "recurrence_distance": Field("1", "distance of the section from its repetition", _MOTION, None, True),
-    "lyapunov_exponent": Field("1", "largest Lyapunov exponent per unit of dimensionless time", _MOTION, None, True),
-    "lyapunov_exponent_error": Field("1", "standard error of the largest Lyapunov exponent", _MOTION, None, True),
+    "lyapunov_exponent": Field(
+        "1", "largest Lyapunov exponent per unit of dimensionless time", _MOTION + _PLANE, None, True
+    ),
+    "lyapunov_exponent_error": Field(
+        "1", "standard error of the largest Lyapunov exponent", _MOTION + _PLANE, None, True
+    ),
     "determinant_error": Field(
         "1", "relative departure of the area contraction of the map from its exact value", _MOTION, None, True
     ),
     "multiplier_real": Field("1", "real part of the largest Floquet multiplier", _MOTION, None, True),
     "multiplier_imag": Field("1", "imaginary part of the largest Floquet multiplier", _MOTION, None, True),
-    "contact_loss_share": Field("1", "part of the time out of contact", _MOTION, None, True),
+    "contact_loss_share": Field("1", "part of the time out of contact", _MOTION + _PLANE, None, True),
     "impacts_per_period": Field("1", "contacts made anew per mesh period", _MOTION, None, True),
     "displacement_min": Field("1", "smallest displacement over initial half backlash", _MOTION, None, True),
     "displacement_max": Field("1", "largest displacement over initial half backlash", _MOTION, None, True),
-    "force_max": Field("1", "largest mesh force over mean mesh force", _MOTION, None, True),
-    "transient_periods": Field("1", "mesh periods left out before the section", _MOTION),
-    "reason": Field("", "why the class is not decided", _MOTION, REASONS),
+    "force_max": Field("1", "largest mesh force over mean mesh force", _MOTION + _PLANE, None, True),
+    "transient_periods": Field("1", "mesh periods left out before the section", _MOTION + _PLANE),
+    "reason": Field("", "why the class is not decided", _MOTION + _PLANE, REASONS),
     # basins of attraction
     "initial_displacement": Field("1", "initial displacement over initial half backlash", (("displacement_cell",),)),
     "initial_velocity": Field("1", "initial velocity in units of initial half backlash", (("velocity_cell",),)),
@@ -196,6 +201,8 @@ FIELDS: dict[str, Field] = {
         "1", "velocity along the orbit in units of initial half backlash", (("point", "time"),), None, True
     ),
     "orbit_period": Field("1", "mesh periods since the orbit began", (("time",),)),
+    # maps
+    "bulk_temperature": Field("degC", "bulk temperature of both gears", _ROW),
     # branches of periodic orbits
     "branch_index": Field("", "index of the branch that the orbit is on", _NODE),
     "branch_displacement": Field(

@@ -51,5 +51,15 @@ def merged(base: Overrides, overrides: Overrides) -> dict[str, Any]:
     return result
 
 
+def temperature_root(value: float) -> str:
+    """Return the folder of the member that has a bulk temperature, degC, of the map over it."""
+    return f"studies/temperature/t{value:g}/".replace("-", "m").replace(".", "_").replace("+", "")
+
+
 def _studies(config: dict[str, Any]) -> dict[str, Mapping[str, Overrides]]:
-    return {name: study["members"] for name, study in config["studies"].items()}
+    maps = config["maps"]
+    temperatures = {
+        temperature_root(value).split("/")[2]: {"cases": {maps["case"]: {"bulk_temperature": value}}}
+        for value in maps["temperature"]
+    }
+    return {"temperature": temperatures} | {name: study["members"] for name, study in config["studies"].items()}

@@ -50,6 +50,10 @@ STAGES: dict[str, tuple[str, ...]] = {
     "response": (*_EXCITED, "operation.pinion_speed"),
     "sweep": (*_EXCITED, "sweeps.{sweep}"),
     "branches": ("dynamics", "operation.pinion_torque", "sweeps.{sweep}", "branches"),
+    "map_ste": (*_EXCITED, "maps.mesh_frequency", "maps.ste"),
+    "map_backlash": (*_EXCITED, "maps.mesh_frequency", "maps.backlash", "sweeps.backlash.reading"),
+    "map_temperature": (*_EXCITED, "maps.mesh_frequency", "maps.temperature"),
+    "map_wear": (*_EXCITED, "maps.mesh_frequency"),
     "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
     "basins": (
         *_EXCITED,

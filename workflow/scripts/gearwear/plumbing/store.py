@@ -41,6 +41,8 @@ _MADE_BY = {
     "branches": ("continue_orbits",),
     "portraits": ("trace_portraits",),
     "basins": ("map_basins",),
+    "tiles": ("map_tile",),
+    "maps": ("join_map",),
 }
 
 
@@ -82,8 +84,8 @@ def _makers(path: Path) -> tuple[str, ...]:
     # Studies, members, cases and swept quantities may be called like stages or their folders.
     folder, above = path.parent.name, path.parent.parent.name
     if re.fullmatch(r"\d+-of-\d+", path.stem):
-        return _MADE_BY["parts"]
-    if re.fullmatch(r"q\d{3}", path.stem) or folder in ("branches", "portraits", "basins"):
+        return _MADE_BY["tiles" if above == "tiles" else "parts"]
+    if re.fullmatch(r"q\d{3}", path.stem) or folder in ("branches", "portraits", "basins", "maps"):
         return _MADE_BY.get(folder, ())
     if above == "sweeps" and folder in ("restart", "up", "down"):
         return _MADE_BY[folder]

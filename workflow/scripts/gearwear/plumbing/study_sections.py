@@ -222,6 +222,29 @@ class Branches(Section):
     most_nodes: Whole = quantity("1", "Orbits after which a branch is given up.", ge=10, le=1_000_000)
 
 
+class MapAxis(Section):
+    """One axis of a map."""
+
+    first: Number = quantity("1", "First value.", ge=0.01, le=20.0)
+    last: Number = quantity("1", "Last value.", ge=0.01, le=20.0)
+    points: Whole = quantity("1", "Number of values, ends included.", ge=2, le=20001)
+
+
+class Maps(Section):
+    """Maps of the motion over the mesh frequency and a second parameter, made by `snakemake -j2 maps`.
+
+    The map over wear has the wear cycles of the case as rows.
+    """
+
+    case: Name = target("Case whose last state is mapped, and whose wear cycles are.")
+    mesh_frequency: MapAxis
+    ste: MapAxis
+    backlash: MapAxis
+    temperature: Numbers = quantity(
+        "degC", "Bulk temperatures, ascending; each takes a wear chain of its own.", min_length=2, max_length=100
+    )
+
+
 class Portraits(Section):
     """Swept values whose phase portraits are drawn, by case."""
 
@@ -256,6 +279,7 @@ class Configuration(Section):
     cases: dict[CaseName, Case]
     sweeps: Sweeps
     branches: Branches
+    maps: Maps
     portraits: Portraits
     basins: Basins
     figures: Figures

@@ -1,0 +1,59 @@
+"""Maps over two parameters, tile by tile."""
+
+import numpy as np
+import pytest
+import xarray as xr
+
+SMOKE = ("--configfile", "config/config.yaml", "config/smoke.yaml", "--set-scatter", "map=2", "--")
+MAPS = ("results/with/maps/wear.nc", "results/figures/map_ste.svg")
+
+
+@pytest.fixture(scope="module")
+def mapped(smoke_run):
+    run = smoke_run.snakemake("-j2", *SMOKE, *MAPS)
+    assert run.returncode == 0, run.stdout[-5000:]
+    return smoke_run
+
+
+def opened(project, place):
+    return xr.open_dataset(project.folder / "results" / place)
+
+
+def test_the_last_wear_cycle_is_a_row_like_the_sweep(mapped):
+    plane, sweep = opened(mapped, "with/maps/wear.nc"), opened(mapped, "with/sweeps/restart/mesh_frequency.nc")
+    assert plane["running_cycles"].values.tolist() == [0.0, 1e8, 2e8, 3e8]
+    np.testing.assert_array_equal(plane["mesh_frequency"], sweep["mesh_frequency"])
+    for name in plane.data_vars:
+        np.testing.assert_array_equal(plane[name][-1], sweep[name])
+    assert (plane["lyapunov_exponent"][0].values != plane["lyapunov_exponent"][-1].values).all()
+
+
+def test_a_row_of_the_transmission_error_is_what_the_sweep_says_there(mapped):
+    plane, sweep = opened(mapped, "with/maps/ste.nc"), opened(mapped, "with/sweeps/restart/ste.nc")
+    column = int(np.argmin(abs(plane["mesh_frequency"].values - 1.0)))
+    np.testing.assert_allclose(plane["mesh_frequency"][column], 1.0, rtol=1e-12)
+    for row, point in ((0, 0), (-1, -1)):
+        assert plane["ste"][row] == sweep["ste"][point]
+        assert plane["motion_class"][row, column] == sweep["motion_class"][point]
+        np.testing.assert_allclose(
+            plane["lyapunov_exponent"][row, column], sweep["lyapunov_exponent"][point], atol=1e-6
+        )
+
+
+def test_only_a_lost_tile_is_made_anew(mapped):
+    lost = mapped.folder / "results/with/maps/tiles/ste/2-of-2.nc"
+    kept = mapped.folder / "results/with/maps/tiles/ste/1-of-2.nc"
+    made = kept.stat().st_mtime_ns
+    lost.unlink()
+    (mapped.folder / "results/with/maps/ste.nc").unlink()
+    run = mapped.snakemake("-j2", *SMOKE, *MAPS)
+    assert run.returncode == 0, run.stdout[-5000:]
+    assert "tile 2-of-2" in run.stdout and "tile 1-of-2" not in run.stdout
+    assert kept.stat().st_mtime_ns == made
+
+
+def test_the_temperature_map_asks_for_a_chain_of_every_temperature(mapped):
+    run = mapped.snakemake("-n", *SMOKE, "maps")
+    assert run.returncode == 0, run.stdout[-5000:]
+    for name in ("t60", "t100"):
+        assert f"results/studies/temperature/{name}/with/wear/q003.nc" in run.stdout

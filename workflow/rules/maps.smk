@@ -1,0 +1,100 @@
+def mapped():
+    """The figures of the maps."""
+    return expand(
+        "results/figures/map_{map}.svg", map=("ste", "backlash", "temperature", "wear")
+    )
+
+
+def map_cfg(wildcards):
+    """The settings a map sees."""
+    return cfg(f"map_{wildcards.map}")(wildcards)
+
+
+def rows_of(stage):
+    """Input function: the files of a stage behind the rows of a tile, or the one file that all rows share."""
+
+    def files(wildcards):
+        case = wildcards.case
+        if wildcards.map in ("ste", "backlash"):
+            return f"results/{case}/{stage}/q{last(case)}.nc"
+        part, parts = (int(word) for word in wildcards.scatteritem.split("-of-"))
+        if wildcards.map == "wear":
+            cycles = range(int(last(case)) + 1)[part - 1 :: parts]
+            return [f"results/{case}/{stage}/q{q:03d}.nc" for q in cycles]
+        values = config["maps"]["temperature"][part - 1 :: parts]
+        roots = [temperature_root(value) for value in values]
+        return [
+            f"results/{root}{case}/{stage}/q{last(case, root)}.nc" for root in roots
+        ]
+
+    return files
+
+
+rule map_tile:
+    input:
+        geometry="results/geometry.nc",
+        mesh_stiffness=rows_of("mesh_stiffness"),
+        transmission_error=rows_of("transmission_error"),
+        backlash=rows_of("backlash"),
+        wear=rows_of("wear"),
+        reference_stiffness=reference("mesh_stiffness"),
+        reference_error=reference("transmission_error"),
+    output:
+        "results/{case}/maps/tiles/{map}/{scatteritem}.nc",
+    log:
+        "results/logs/{case}/map_tile/{map}/{scatteritem}.log",
+    benchmark:
+        "results/benchmarks/{case}/map_tile/{map}/{scatteritem}.tsv"
+    params:
+        cfg=map_cfg,
+        code=code("map_tile.py"),
+    message:
+        "Case {wildcards.case}: mapping mesh frequency and {wildcards.map}, tile {wildcards.scatteritem}."
+    script:
+        "../scripts/map_tile.py"
+
+
+rule join_map:
+    input:
+        tiles=gather.map("results/{{case}}/maps/tiles/{{map}}/{scatteritem}.nc"),
+    output:
+        "results/{case}/maps/{map}.nc",
+    log:
+        "results/logs/{case}/join_map/{map}.log",
+    benchmark:
+        "results/benchmarks/{case}/join_map/{map}.tsv"
+    params:
+        cfg=map_cfg,
+        code=code("join_map.py"),
+    message:
+        "Case {wildcards.case}: joining the tiles of the map over {wildcards.map}."
+    script:
+        "../scripts/join_map.py"
+
+
+rule plot_map:
+    input:
+        map=f"results/{config['maps']['case']}/maps/{{map}}.nc",
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/map_{map}.svg",
+            caption=caption("map"),
+            category="Dynamics",
+            labels={"figure": "map {map}"},
+        ),
+        png="results/figures/map_{map}.png",
+    log:
+        "results/logs/plot_map_{map}.log",
+    benchmark:
+        "results/benchmarks/plot_map_{map}.tsv"
+    params:
+        cfg=lambda wildcards: {
+            "map": wildcards.map,
+            "state": drawn_state(config["maps"]["case"]),
+        },
+        code=code("plot_map.py"),
+    message:
+        "Map of the motion over mesh frequency and {wildcards.map}."
+    script:
+        "../scripts/plot_map.py"

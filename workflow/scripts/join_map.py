@@ -1,0 +1,26 @@
+"""The tiles of a map as one file."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+
+from gearwear.attractors import plane
+from gearwear.plumbing import stage, store
+
+if TYPE_CHECKING:
+    from snakemake.iocontainers import snakemake
+
+
+def main(job):
+    coordinate = plane.COORDINATES[job.wildcards.map]
+    tiles = [store.load(path) for path in job.input.tiles]
+    whole = xr.concat([tile for tile in tiles if tile.sizes["row"]], dim="row").sortby(coordinate)
+    if (np.diff(whole[coordinate].values) <= 0).any():
+        raise ValueError(f"{coordinate}: two tiles hold the same row; delete the folder of the tiles and start again")
+    store.save(whole, job)
+
+
+if __name__ == "__main__":
+    with stage.logged(snakemake, __file__):
+        main(snakemake)
