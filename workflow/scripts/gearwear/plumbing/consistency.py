@@ -262,7 +262,7 @@ def _chosen_values(values: dict[str, Any], section: str) -> Iterator[Problem]:
     for sweep in SWEEPS:
         for name, drawn in (_at(values, f"{section}.{sweep}") or {}).items():
             path = (*section.split("."), sweep, name)
-            swept = _at(values, f"sweeps.{sweep}.cases")
+            swept = _at(values, f"sweeps.{sweep}.cases") if section == "portraits" else None
             if isinstance(cases, dict) and name not in cases:
                 yield path, _no_such_case(name, cases)
             elif drawn and swept is not None and name not in swept:
