@@ -43,8 +43,10 @@ def recurrences(states: np.ndarray, largest_period: int, tolerance: float) -> tu
     """
     first, second = _changes(states, largest_period)
     period, distance = np.zeros(len(states), dtype=int), np.min(list(second.values()), axis=0)
-    for n in range(largest_period, 0, -1):
-        recurs = second[n] <= tolerance
+    for n in range(1, largest_period + 1):
+        recurs = (period == 0) & (second[n] <= tolerance)
+        if not recurs.any():
+            continue
         for m in range(1, n):
             if n % m == 0:
                 recurs &= np.abs(second[m] - first[m]) <= STEADY_CHANGE * first[m]

@@ -98,14 +98,16 @@ def _draw_section(axes: Axes, attractor: xr.Dataset, colour: tuple[float, float,
     period = int(attractor["period"])
     section = [attractor[name].values[: period or None] for name in ("section_displacement", "section_velocity")]
     marker, size = (marker, _SIZES[1]) if period else ("o", _SIZES[0])
+    layer = 3 if period else 2.5  # the few points of an orbit above the many of chaos
     halo = {"marker": marker, "markersize": size + _HALO, "color": "white", "markeredgewidth": 0}
-    axes.plot(*section, linestyle="none", **halo)
+    axes.plot(*section, linestyle="none", zorder=layer - 0.25, **halo)
     if not period:
         dark = tuple(_DARKER * np.array(colour))
-        axes.plot(*section, linestyle="none", marker=marker, markersize=size, markeredgewidth=0, color=dark)
+        ink = {"marker": marker, "markersize": size, "markeredgewidth": 0, "color": dark}
+        axes.plot(*section, linestyle="none", zorder=layer, **ink)
         return Patch(facecolor=colour, linewidth=0)
     ink = {"markerfacecolor": colour, "markeredgecolor": "black", "markeredgewidth": 0.6, "markersize": size}
-    axes.plot(*section, linestyle="none", marker=marker, **ink)
+    axes.plot(*section, linestyle="none", marker=marker, zorder=layer, **ink)
     return Line2D([], [], linestyle="none", marker=marker, **ink)
 
 
