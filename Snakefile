@@ -28,6 +28,7 @@ rule all:
     input:
         states(),
         figures(),
+        basin_figures(),
         "results/claims.csv",
         "results/claims.html",
         "results/versions.csv",

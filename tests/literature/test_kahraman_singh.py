@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
+from gearwear.attractors.basins import basins, cell_centres
 from gearwear.attractors.chain import carried
 from gearwear.attractors.hysteresis import differing
 from gearwear.attractors.settling import Settling, settle
@@ -121,6 +122,22 @@ def test_sweeps_up_and_down_differ_between_the_folds():
     sections = [[np.stack([one.displacement, one.velocity], axis=-1) for one in motions] for motions in both]
     found = differing([[one.motion_class for one in motions] for motions in both], np.array(sections))
     np.testing.assert_array_equal(found, (frequencies > 0.577217) & (frequencies < 0.620486))
+
+
+@pytest.mark.parametrize("frequency, expected", [(0.56, 1), (0.60, 2), (0.64, 1)])
+def test_between_the_folds_sweeps_and_basins_show_the_same_two_motions(frequency, expected):
+    centres = cell_centres(-2.0, 2.0, 6)
+    states = np.stack(np.meshgrid(centres, centres), axis=-1).reshape(-1, 2)
+    found = basins(large_fluctuation(frequency), states, SETTLING)
+    assert [motion.motion_class for motion in found.attractors] == [1] * expected
+    assert found.shares.sum() == 1.0 and found.shares.min() > 0.05
+    ends = []
+    for begin in (0.55, 0.65):
+        way = map(large_fluctuation, np.linspace(begin, frequency, 12))
+        ends.append(carried(way, lambda _: (0.0, 0.0), SETTLING)[-1])
+    from_basins = sorted((motion.displacement[-1], motion.velocity[-1]) for motion in found.attractors)
+    from_sweeps = sorted((motion.displacement[-1], motion.velocity[-1]) for motion in ends)
+    np.testing.assert_allclose(np.resize(from_basins, (2, 2)), from_sweeps, atol=1e-6)
 
 
 @pytest.mark.parametrize(

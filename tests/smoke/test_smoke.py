@@ -75,6 +75,7 @@ def test_every_file_says_what_it_is(smoke_run):
             for order in ("restart", "up", "down")
             for sweep in ("mesh_frequency", "ste", "backlash")
         ],
+        ("with/basins/mesh_frequency.nc", ["basin", "attractors", "share", "share_error", "undecided_share"]),
         ("without/sweeps/restart/mesh_frequency.nc", ["lyapunov_exponent", "contact_loss_share"]),
         *[
             (f"with/branches/{sweep}.nc", [sweep, "branch_displacement", "floquet_real", "stable", "special_point"])

@@ -97,6 +97,7 @@ def results(tmp_path_factory):
                 "orbit_displacement": (("point", "time"), np.tile(np.cos(time), (3, 1))),
                 "orbit_velocity": (("point", "time"), np.tile(np.sin(time), (3, 1))),
             }
+            save(f"{case}_{sweep}_basins", *basins(sweep, swept[[1, 3, 5, 7]]))
             save(f"{case}_{sweep}_portraits", motion([1, 0, 101]) | orbit, {sweep: ("point", swept[[1, 3, 7]])})
     return folder
 
@@ -111,6 +112,32 @@ def branches():
         "special_point": ("node", [0, 0, 2, 0, 0]),
         "branch_period": ("branch", [1, 2]),
     }
+
+
+def basins(sweep, values):
+    """Return variables and coordinates: period 1 twice and chaos everywhere, undecided cells at the last point."""
+    points, cells = len(values), 6
+    found = {
+        name: (("point", "attractor", *dims[1:]), np.stack([array] * points))
+        for name, (dims, array) in motion([1, 1, 101]).items()
+        for dims in [dims if isinstance(dims, tuple) else (dims,)]
+    }
+    index = np.arange(points * cells * cells).reshape(points, cells, cells) % 3
+    index[-1, :2] = -1
+    centres = np.linspace(-1.5, 1.5, cells)
+    found |= {
+        "basin": (("point", "displacement_cell", "velocity_cell"), index),
+        "attractors": ("point", [3] * points),
+        "share": (("point", "attractor"), [[0.25, 0.35, 0.4]] * points),
+        "share_error": (("point", "attractor"), [[0.01, 0.02, 0.03]] * points),
+        "undecided_share": ("point", [0.0] * (points - 1) + [1 / 3]),
+    }
+    coordinates = {
+        sweep: ("point", values),
+        "initial_displacement": ("displacement_cell", centres),
+        "initial_velocity": ("velocity_cell", centres),
+    }
+    return found, coordinates
 
 
 def motion(classes):
@@ -131,7 +158,7 @@ def motion(classes):
 
 
 def inputs_of(results, number):
-    """Return script, named inputs and settings of a figure."""
+    """Return script, named inputs and settings of a figure, by its number or name."""
 
     def each(name):
         return [str(results / f"{case}_{name}.nc") for case in CASES]
@@ -161,6 +188,8 @@ def inputs_of(results, number):
         claims = str(ROOT / "config" / "paper_claims.yaml")
         return "plot_bifurcation", files | {"claims": claims}, cfg | {"states": states, "order": "restart"}
     state = STATES[0 if number == 13 else 1]
+    if number == "basins":
+        return "plot_basins", {"basins": str(results / f"{state['case']}_{sweep}_basins.nc")}, cfg | {"state": state}
     portraits = str(results / f"{state['case']}_{sweep}_portraits.nc")
     return "plot_portraits", {"portraits": portraits}, cfg | {"state": state}
 
@@ -206,6 +235,15 @@ WORDS = {
     16: ["meshfrequency/naturalfrequency=1"],
     17: ["Meanbacklashoveritsinitialvalue", "swepthalfbacklash"],
     18: ["Displacementoverswepthalfbacklash"],
+    "basins": [
+        "(d)1.325",
+        "P1:25.0±1.0%",
+        "P1:35.0±2.0%",
+        "CH:40.0±3.0%",
+        "undecided:33.3%",
+        "Initialdisplacementoverswepthalfbacklash",
+        "timesnaturalfrequency",
+    ],
 }
 
 

@@ -289,6 +289,21 @@ def test_a_bad_key_gives_its_message(path, value, text):
             ],
         ),
         (
+            {
+                "basins.points.ste.with": [1.0, 3.5],
+                "basins.points.ste.wthout": [1.0],
+                "basins.velocity": {"first": 1.0, "last": 1.0},
+                "basins.resolution": 1,
+            },
+            [
+                "basins.resolution: 1 is below the least allowed value 2; give a whole number from 2 to 500",
+                "basins.points.ste.with[1]: 3.5 is outside the swept range, 0.1 to 3.0; "
+                "take it out or widen sweeps.ste",
+                "basins.points.ste.wthout: text 'wthout' is no case (did you mean without?)",
+                "basins.velocity.last: 1.0 is not above basins.velocity.first, 1.0; exchange them or widen the range",
+            ],
+        ),
+        (
             {"elasticity": [{"lw": "li"}, {"calibration": -1}]},
             [
                 "elasticity: a list of 2 is not a section; give the keys law and calibration below it",

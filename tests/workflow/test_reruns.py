@@ -20,6 +20,7 @@ RULE_OF_FOLDER = {
     "down": "carry_sweep",
     "branches": "continue_orbits",
     "portraits": "trace_portraits",
+    "basins": "map_basins",
     "figures": "figures",
 }
 CLAIMS = {"results/claims.csv", "results/claims.html"}
@@ -39,6 +40,7 @@ CHANGED_VALUES = {
     "sweeps.order": "up",
     "branches.largest_period": 3,
     "portraits.backlash.with": [0.36, 0.80],
+    "basins.resolution": 13,
     "figures.diagonal": ["without", "n1400_t080", "with"],
 }
 

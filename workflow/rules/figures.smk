@@ -21,6 +21,16 @@ def figures():
     )
 
 
+def basin_figures():
+    """The basins of every case and sweep that the configuration lists values for."""
+    return [
+        f"results/figures/basins_{case}_{sweep}.svg"
+        for sweep, cases in config["basins"]["points"].items()
+        for case, values in cases.items()
+        if values
+    ]
+
+
 def diagonal(pattern):
     """The files of `pattern` for the states of figures 6 to 11, in their order."""
     return [
@@ -78,6 +88,15 @@ def swept(sweep):
         key: value
         for key, value in config["sweeps"][sweep].items()
         if key not in ("cases", "points")
+    }
+
+
+def drawn_basins(wildcards):
+    """What the figure of basins says of its sweep and case."""
+    return {
+        "sweep": wildcards.sweep,
+        "swept": swept(wildcards.sweep),
+        "state": drawn_state(wildcards.case),
     }
 
 
@@ -569,3 +588,28 @@ rule plot_portraits_backlash:
         "Figure 18: phase portraits over the backlash."
     script:
         "../scripts/plot_portraits.py"
+
+
+rule plot_basins:
+    input:
+        basins="results/{case}/basins/{sweep}.nc",
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/basins_{case}_{sweep}.svg",
+            caption=caption("basins"),
+            category="Dynamics",
+            labels={"figure": "basins of {case} over {sweep}"},
+        ),
+        png="results/figures/basins_{case}_{sweep}.png",
+    log:
+        "results/logs/plot_basins/{case}_{sweep}.log",
+    benchmark:
+        "results/benchmarks/plot_basins/{case}_{sweep}.tsv"
+    params:
+        cfg=drawn_basins,
+        code=code("plot_basins.py"),
+    message:
+        "Basins of attraction, case {wildcards.case}, over {wildcards.sweep}."
+    script:
+        "../scripts/plot_basins.py"

@@ -114,3 +114,26 @@ rule trace_portraits:
         "Case {wildcards.root}{wildcards.case}: tracing the phase portraits of {wildcards.sweep}."
     script:
         "../scripts/trace_portraits.py"
+
+
+rule map_basins:
+    input:
+        geometry="results/{root}geometry.nc",
+        mesh_stiffness=final("mesh_stiffness"),
+        transmission_error=final("transmission_error"),
+        backlash=final("backlash"),
+        reference_stiffness=reference("mesh_stiffness"),
+        reference_error=reference("transmission_error"),
+    output:
+        "results/{root}{case}/basins/{sweep}.nc",
+    log:
+        "results/logs/{root}{case}/map_basins/{sweep}.log",
+    benchmark:
+        "results/benchmarks/{root}{case}/map_basins/{sweep}.tsv"
+    params:
+        cfg=cfg("basins"),
+        code=code("map_basins.py"),
+    message:
+        "Case {wildcards.root}{wildcards.case}: mapping the basins of attraction over {wildcards.sweep}."
+    script:
+        "../scripts/map_basins.py"

@@ -23,8 +23,8 @@ def section(orbit, begin=0, samples=20):
         (QUASI_PERIODIC, QUASI_PERIODIC, 0.5, False),
         (NOT_CONVERGED, 3, 0.5, False),
         (CHAOTIC, NOT_CONVERGED, 0.5, False),
-        (3, 3, 0.9e-3, False),
-        (3, 3, 1.1e-3, True),
+        (3, 3, 1.9e-3, False),
+        (3, 3, 2.1e-3, True),
     ],
 )
 def test_classes_and_orbits_decide(one, other, apart, differs):

@@ -3,7 +3,13 @@
 import numpy as np
 import pytest
 
-from gearwear.attractors.section import is_closed_curve, mean_and_error, recurrence
+from gearwear.attractors.section import (
+    is_closed_curve,
+    mean_and_error,
+    means_and_errors,
+    recurrence,
+    recurrences,
+)
 
 SAMPLES = np.arange(241)
 
@@ -38,6 +44,22 @@ def test_slow_period_two_is_not_called_period_four():
     slow = orbit(2)
     slow[::2] += 2e-5 * ((-(1 - 1e-3)) ** np.arange(121))[:, None]
     assert recurrence(slow, 16, 1e-7).period == 0
+
+
+def test_many_sections_are_judged_as_each_alone():
+    lost = np.full((241, 2), np.nan)
+    sections = np.array([orbit(3), orbit(18), orbit(1, -0.999, 4e-6), orbit(4), lost])
+    periods, distances = recurrences(sections, 16, 1e-7)
+    alone = [recurrence(section, 16, 1e-7) for section in sections]
+    assert periods.tolist() == [found.period for found in alone] == [3, 0, 0, 4, 0]
+    np.testing.assert_array_equal(distances, [found.distance for found in alone])
+
+
+def test_means_and_errors_of_many_series_are_those_of_each_alone():
+    series = np.random.default_rng(4).normal(size=(3, 250))
+    means, errors = means_and_errors(series)
+    for i, values in enumerate(series):
+        assert (means[i], errors[i]) == pytest.approx(mean_and_error(values), rel=1e-14)
 
 
 def test_ellipse_is_a_closed_curve_and_a_cloud_is_not():

@@ -10,7 +10,7 @@ import yaml
 from gearwear.plumbing.slices import STAGES, slice_of
 
 ROOT = Path(__file__).resolve().parents[3]
-SWEPT = ("sweep", "branches", "portraits")
+SWEPT = ("sweep", "branches", "portraits", "basins")
 MAPS = {"map_ste", "map_backlash", "map_temperature", "map_wear"}
 
 
@@ -69,7 +69,9 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("elasticity.law", {"temperature", "advance_wear", "mesh_stiffness"}),
         (
             "operation.pinion_torque",
-            {"temperature", "transmission_error", "advance_wear", "response", "sweep", "branches", "portraits"} | MAPS,
+            {"temperature", "transmission_error", "advance_wear", "response", "sweep", "branches", "portraits"}
+            | MAPS
+            | {"basins"},
         ),
         ("operation.pinion_speed", {"temperature", "advance_wear", "response"}),
         ("lubricant.composite_roughness", {"temperature", "advance_wear"}),
@@ -80,27 +82,31 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("transmission_error.mode", {"transmission_error"}),
         ("backlash.half_backlash", {"backlash"}),
         ("wear.cycles_per_update", {"advance_wear"}),
-        ("dynamics.damping_ratio", {"response", "sweep", "branches", "portraits"} | MAPS),
-        ("settling.largest_period", {"response", "sweep", "portraits"} | MAPS),
+        ("dynamics.damping_ratio", {"response", "sweep", "branches", "portraits", "basins"} | MAPS),
+        ("settling.largest_period", {"response", "sweep", "portraits", "basins"} | MAPS),
         ("cases.with.bulk_temperature", {"temperature", "deformation", "advance_wear", "mesh_stiffness"}),
         ("cases.with.flash", {"temperature"}),
         ("cases.with.running_cycles", set()),
         ("cases.without.bulk_temperature", set()),
         ("sweeps.backlash.points", {"sweep"}),
         ("sweeps.backlash.first", {"sweep", "branches"}),
-        ("sweeps.backlash.mesh_frequency", {"sweep", "branches", "portraits"}),
+        ("sweeps.backlash.mesh_frequency", {"sweep", "branches", "portraits", "basins"}),
         ("sweeps.ste.points", set()),
         ("sweeps.backlash.cases", set()),
         ("sweeps.order", set()),
         ("branches.largest_period", {"branches"}),
         ("portraits.backlash.with", {"portraits"}),
         ("portraits.ste.with", set()),
+        ("basins.points.backlash.with", {"basins"}),
+        ("basins.points.ste.with", set()),
+        ("basins.displacement.first", {"basins"}),
+        ("basins.resolution", {"basins"}),
         ("portraits.mesh_frequency.without", set()),
         ("figures.diagonal", set()),
         ("maps.case", set()),
         ("maps.mesh_frequency.points", MAPS),
         ("maps.temperature", {"map_temperature"}),
-        ("sweeps.backlash.reading", {"sweep", "branches", "portraits", "map_backlash"}),
+        ("sweeps.backlash.reading", {"sweep", "branches", "portraits", "map_backlash", "basins"}),
     ],
 )
 def test_a_key_reaches_its_stages_and_no_other(config, keys, stages):
@@ -131,7 +137,8 @@ def test_every_key_of_the_physics_reaches_a_stage(config):
     for stage in STAGES:
         for case in config["cases"]:
             for sweep in config["portraits"]:
-                if stage == "portraits" and case not in config["portraits"][sweep]:
+                listed = {"portraits": config["portraits"], "basins": config["basins"]["points"]}.get(stage)
+                if listed and case not in listed[sweep]:
                     continue
                 reached |= {
                     ("cases", case, *keys[1:]) if keys[0] == "case" else keys

@@ -67,6 +67,7 @@ def test_every_field_has_a_unit_unless_it_is_a_label_or_an_index():
         "motion_class",
         "reason",
         "conflict",
+        "basin",
     }
     integers_and_words |= {"branch_index", "branch_parent", "stable", "special_point"}
     integers_and_words |= {f"branch_{side}{rest}" for side in ("start", "end") for rest in ("", "_remark")}
@@ -274,6 +275,7 @@ def test_lineage_of_the_inputs_is_written_beside_the_own(tmp_path):
         ("results/with/portraits/backlash.nc", ("trace_portraits",)),
         ("results/with/branches/backlash.nc", ("continue_orbits",)),
         ("results/with/sweeps/parts/backlash/1-of-4.nc", ("sweep_part",)),
+        ("results/with/basins/backlash.nc", ("map_basins",)),
         ("results/with/maps/tiles/ste/1-of-4.nc", ("map_tile",)),
         ("results/with/maps/wear.nc", ("join_map",)),
         ("results/studies/heat/t120/geometry.nc", ("build_geometry",)),

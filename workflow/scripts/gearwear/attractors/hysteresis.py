@@ -6,13 +6,13 @@ import numpy as np
 
 from gearwear.dynamics.motion_class import LARGEST_PERIOD, NOT_CONVERGED
 
-SAME_ORBIT = 1e-3  # of the half backlash; two sections of one orbit agree to the recurrence tolerance, far below
+SAME_ORBIT = 2e-3  # of the half backlash; a section may still be 1e-3 away from its orbit: see evidence.weigh
 
 
 def differing(classes: np.ndarray, sections: np.ndarray) -> np.ndarray:
     """Return at which points the two sweeps differ, (points,) bool.
 
-    They do where the classes differ, and where both are periodic and their orbits are more than 1e-3 apart, whichever
+    They do where the classes differ, and where both are periodic and their orbits are more than 2e-3 apart, whichever
     mesh period of either one begins with. Two chaotic motions count as one, and so do two quasi-periodic ones. A motion
     that has not converged is compared with nothing: no difference is shown there.
 

@@ -32,14 +32,26 @@ def recurrence(states: np.ndarray, largest_period: int, tolerance: float) -> Rec
     largest_period : longest period looked for, at most half the samples
     tolerance : allowed distance (dimensionless)
     """
+    period, distance = recurrences(states[None], largest_period, tolerance)
+    return Recurrence(int(period[0]), float(distance[0]))
+
+
+def recurrences(states: np.ndarray, largest_period: int, tolerance: float) -> tuple[np.ndarray, np.ndarray]:
+    """Periods and distances, (sections,) each, of many sections, (sections, samples, 2), each as by `recurrence`.
+
+    A section with NaN has period 0 and distance NaN.
+    """
     first, second = _changes(states, largest_period)
+    period, distance = np.zeros(len(states), dtype=int), np.min(list(second.values()), axis=0)
     for n in range(1, largest_period + 1):
-        if second[n] > tolerance:
+        recurs = (period == 0) & (second[n] <= tolerance)
+        if not recurs.any():
             continue
-        divisors = [m for m in range(1, n) if n % m == 0]
-        if all(abs(second[m] - first[m]) <= STEADY_CHANGE * first[m] for m in divisors):
-            return Recurrence(n, float(second[n]))
-    return Recurrence(0, float(min(second.values())))
+        for m in range(1, n):
+            if n % m == 0:
+                recurs &= np.abs(second[m] - first[m]) <= STEADY_CHANGE * first[m]
+        period[recurs], distance[recurs] = n, second[n][recurs]
+    return period, distance
 
 
 def shrinking_periods(states: np.ndarray, largest_period: int, near: float) -> list[int]:
@@ -51,13 +63,14 @@ def shrinking_periods(states: np.ndarray, largest_period: int, near: float) -> l
     return [n for n in first if second[n] < first[n] and second[n] <= near]
 
 
-def _changes(states: np.ndarray, largest_period: int) -> tuple[dict[int, float], dict[int, float]]:
-    """Largest change over n periods, for every n, in the first and in the second half of a section."""
+def _changes(states: np.ndarray, largest_period: int) -> tuple[dict, dict]:
+    """Largest change over n periods, for every n, in the first and in the second half of sections (..., samples, 2)."""
     first, second = {}, {}
+    x, v = np.moveaxis(states, -1, 0).copy()  # a maximum over an axis of two would take ten times as long
     for n in range(1, largest_period + 1):
-        steps = np.abs(states[n:] - states[:-n]).max(axis=1)
-        half = len(steps) // 2
-        first[n], second[n] = steps[:half].max(), steps[half:].max()
+        steps = np.maximum(np.abs(x[..., n:] - x[..., :-n]), np.abs(v[..., n:] - v[..., :-n]))
+        half = steps.shape[-1] // 2
+        first[n], second[n] = steps[..., :half].max(axis=-1), steps[..., half:].max(axis=-1)
     return first, second
 
 
@@ -82,5 +95,11 @@ def _perimeter(polygon: np.ndarray) -> float:
 
 def mean_and_error(values: np.ndarray) -> tuple[float, float]:
     """Mean of a correlated series, and its standard error from the means of twelve batches."""
-    means = np.array([batch.mean() for batch in np.array_split(values, BATCHES)])
-    return float(values.mean()), float(means.std(ddof=1) / np.sqrt(BATCHES))
+    mean, error = means_and_errors(values[None])
+    return float(mean[0]), float(error[0])
+
+
+def means_and_errors(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Means and standard errors, (series,) each, of many series, (series, samples), as by `mean_and_error`."""
+    means = np.array([batch.mean(axis=1) for batch in np.array_split(values, BATCHES, axis=1)])
+    return values.mean(axis=1), means.std(axis=0, ddof=1) / np.sqrt(BATCHES)

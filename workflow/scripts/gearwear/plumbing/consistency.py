@@ -47,6 +47,7 @@ def disagreements(values: dict[str, Any]) -> Iterator[Problem]:
         yield from _reference(values)
         yield from _case_lists(values)
     yield from _portraits(values)
+    yield from _basins(values)
     yield from _maps(values)
     yield from _studies(values)
 
@@ -237,15 +238,31 @@ def _case_lists(values: dict[str, Any]) -> Iterator[Problem]:
 
 
 def _portraits(values: dict[str, Any]) -> Iterator[Problem]:
-    cases = _at(values, "cases")
     for sweep, case in DRAWN_PORTRAITS:
         drawn = _at(values, f"portraits.{sweep}")
         if drawn is not None and not drawn.get(case):
             yield ("portraits", sweep, case), "figures 13 to 18 draw this case; give a list with at least one value"
+    yield from _chosen_values(values, "portraits")
+
+
+def _basins(values: dict[str, Any]) -> Iterator[Problem]:
+    yield from _chosen_values(values, "basins.points")
+    for side in ("displacement", "velocity"):
+        ends = _pair(values, f"basins.{side}.first", f"basins.{side}.last")
+        if ends and ends[1] <= ends[0]:
+            yield (
+                ("basins", side, "last"),
+                f"{ends[1]} is not above basins.{side}.first, {ends[0]}; exchange them or widen the range",
+            )
+
+
+def _chosen_values(values: dict[str, Any], section: str) -> Iterator[Problem]:
+    """Problems of the values of sweeps that a section lists by sweep and case."""
+    cases = _at(values, "cases")
     for sweep in SWEEPS:
-        for name, drawn in (_at(values, f"portraits.{sweep}") or {}).items():
-            path = ("portraits", sweep, name)
-            swept = _at(values, f"sweeps.{sweep}.cases")
+        for name, drawn in (_at(values, f"{section}.{sweep}") or {}).items():
+            path = (*section.split("."), sweep, name)
+            swept = _at(values, f"sweeps.{sweep}.cases") if section == "portraits" else None
             if isinstance(cases, dict) and name not in cases:
                 yield path, _no_such_case(name, cases)
             elif drawn and swept is not None and name not in swept:

@@ -27,6 +27,8 @@ _PATH, _BOTH = (("path",),), (("gear", "path"),)
 _ROW, _COLUMN, _PLANE = (("row",),), (("column",),), (("row", "column"),)
 _PHASE, _POINT = (("mesh_phase",),), (("point",), ())
 _NODE, _BRANCH = (("node",),), (("branch",),)
+_ATTRACTOR = (("point", "attractor"),)
+_MOTION, _SECTION = _POINT + _ATTRACTOR, (("point", "sample"), ("point", "attractor", "sample"))
 
 
 def field_of(name: str, dims: tuple[str, ...]) -> Field:
@@ -145,41 +147,53 @@ FIELDS: dict[str, Field] = {
     "relative_mean_error": Field(
         "1", "mean transmission error over that of the reference case, if this has one", _SCALAR, None, True
     ),
-    # sweeps and portraits
+    # sweeps, portraits and basins
     "mesh_frequency": Field("1", "mesh frequency over natural frequency", _POINT + _NODE + _COLUMN),
     "ste": Field("1", "mean static transmission error over that of the reference case", _POINT + _NODE + _ROW),
     "swept backlash": Field("1", "mean half clearance over its initial value", _POINT + _NODE + _ROW),
-    "section_displacement": Field(
-        "1", "displacement at mesh phase 0 over initial half backlash", (("point", "sample"),), None, True
-    ),
-    "section_velocity": Field(
-        "1", "velocity at mesh phase 0 in units of initial half backlash", (("point", "sample"),), None, True
-    ),
-    "motion_class": Field("", "class of the motion", _POINT + _PLANE, MOTION_CLASSES),
-    "period": Field("1", "mesh periods after which the motion repeats, 0 if it does not", _POINT + _PLANE),
-    "conflict": Field("", "what speaks against the class", _POINT + _PLANE, CONFLICTS),
-    "recurrence_period": Field("1", "mesh periods after which the section recurs, 0 if it does not", _POINT),
-    "stable_orbit_period": Field("1", "mesh periods of the stable orbit next to the section, 0 for none", _POINT),
-    "stable_orbit_distance": Field("1", "distance of the section from that orbit", _POINT, None, True),
-    "recurrence_distance": Field("1", "distance of the section from its repetition", _POINT, None, True),
+    "section_displacement": Field("1", "displacement at mesh phase 0 over initial half backlash", _SECTION, None, True),
+    "section_velocity": Field("1", "velocity at mesh phase 0 in units of initial half backlash", _SECTION, None, True),
+    "motion_class": Field("", "class of the motion", _MOTION + _PLANE, MOTION_CLASSES),
+    "period": Field("1", "mesh periods after which the motion repeats, 0 if it does not", _MOTION + _PLANE),
+    "conflict": Field("", "what speaks against the class", _MOTION + _PLANE, CONFLICTS),
+    "recurrence_period": Field("1", "mesh periods after which the section recurs, 0 if it does not", _MOTION),
+    "stable_orbit_period": Field("1", "mesh periods of the stable orbit next to the section, 0 for none", _MOTION),
+    "stable_orbit_distance": Field("1", "distance of the section from that orbit", _MOTION, None, True),
+    "recurrence_distance": Field("1", "distance of the section from its repetition", _MOTION, None, True),
     "lyapunov_exponent": Field(
-        "1", "largest Lyapunov exponent per unit of dimensionless time", _POINT + _PLANE, None, True
+        "1", "largest Lyapunov exponent per unit of dimensionless time", _MOTION + _PLANE, None, True
     ),
     "lyapunov_exponent_error": Field(
-        "1", "standard error of the largest Lyapunov exponent", _POINT + _PLANE, None, True
+        "1", "standard error of the largest Lyapunov exponent", _MOTION + _PLANE, None, True
     ),
     "determinant_error": Field(
-        "1", "relative departure of the area contraction of the map from its exact value", _POINT, None, True
+        "1", "relative departure of the area contraction of the map from its exact value", _MOTION, None, True
     ),
-    "multiplier_real": Field("1", "real part of the largest Floquet multiplier", _POINT, None, True),
-    "multiplier_imag": Field("1", "imaginary part of the largest Floquet multiplier", _POINT, None, True),
-    "contact_loss_share": Field("1", "part of the time out of contact", _POINT + _PLANE, None, True),
-    "impacts_per_period": Field("1", "contacts made anew per mesh period", _POINT, None, True),
-    "displacement_min": Field("1", "smallest displacement over initial half backlash", _POINT, None, True),
-    "displacement_max": Field("1", "largest displacement over initial half backlash", _POINT, None, True),
-    "force_max": Field("1", "largest mesh force over mean mesh force", _POINT + _PLANE, None, True),
-    "transient_periods": Field("1", "mesh periods left out before the section", _POINT + _PLANE),
-    "reason": Field("", "why the class is not decided", _POINT + _PLANE, REASONS),
+    "multiplier_real": Field("1", "real part of the largest Floquet multiplier", _MOTION, None, True),
+    "multiplier_imag": Field("1", "imaginary part of the largest Floquet multiplier", _MOTION, None, True),
+    "contact_loss_share": Field("1", "part of the time out of contact", _MOTION + _PLANE, None, True),
+    "impacts_per_period": Field("1", "contacts made anew per mesh period", _MOTION, None, True),
+    "displacement_min": Field("1", "smallest displacement over initial half backlash", _MOTION, None, True),
+    "displacement_max": Field("1", "largest displacement over initial half backlash", _MOTION, None, True),
+    "force_max": Field("1", "largest mesh force over mean mesh force", _MOTION + _PLANE, None, True),
+    "transient_periods": Field("1", "mesh periods left out before the section", _MOTION + _PLANE),
+    "reason": Field("", "why the class is not decided", _MOTION + _PLANE, REASONS),
+    # basins of attraction
+    "initial_displacement": Field("1", "initial displacement over initial half backlash", (("displacement_cell",),)),
+    "initial_velocity": Field("1", "initial velocity in units of initial half backlash", (("velocity_cell",),)),
+    "basin": Field(
+        "",
+        "index of the attractor that the motion from this cell settles to, -1 if undecided",
+        (("point", "displacement_cell", "velocity_cell"),),
+    ),
+    "attractors": Field("1", "number of attractors found", _POINT),
+    "share": Field("1", "part of the cells that lead to the attractor", _ATTRACTOR, None, True),
+    "share_error": Field("1", "standard error of the share, cells taken as independent draws", _ATTRACTOR, None, True),
+    "escaped_share": Field(
+        "1", "part of the chaotic motions watched that became periodic in the end", _ATTRACTOR, None, True
+    ),
+    "undecided_share": Field("1", "part of the cells whose motion is not decided", _POINT),
+    # portraits
     "orbit_displacement": Field(
         "1", "displacement along the orbit over initial half backlash", (("point", "time"),), None, True
     ),

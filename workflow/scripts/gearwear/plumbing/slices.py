@@ -55,13 +55,22 @@ STAGES: dict[str, tuple[str, ...]] = {
     "map_temperature": (*_EXCITED, "maps.mesh_frequency", "maps.temperature"),
     "map_wear": (*_EXCITED, "maps.mesh_frequency"),
     "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
+    "basins": (
+        *_EXCITED,
+        "sweeps.{sweep}",
+        "basins.points.{sweep}.{case}",
+        "basins.displacement",
+        "basins.velocity",
+        "basins.resolution",
+    ),
 }
 
-# Keys that a stage passes over: a sweep's list of cases decides which files are made, not what is in them.
+# Keys of a sweep that a stage passes over: the list of cases decides which files are made, not what is in them.
 _PASSED_OVER = {
     "sweep": ("cases",),
     "branches": ("cases", "points"),
     "portraits": ("cases", "first", "last", "points"),
+    "basins": ("cases", "first", "last", "points"),
 }
 
 
@@ -79,10 +88,11 @@ def slice_of(config: dict, stage: str, case: str = "", sweep: str = "") -> dict[
             source = source[name]
             target = target.setdefault(name, {})
         target[path[-1]] = source[path[-1]]
-    return _tidy(cut, _PASSED_OVER.get(stage, ()))
+    for name, settings in cut.get("sweeps", {}).items():
+        passed_over = _PASSED_OVER.get(stage, ())
+        cut["sweeps"][name] = {key: value for key, value in settings.items() if key not in passed_over}
+    return _sorted(cut)
 
 
-def _tidy(value: Any, passed_over: tuple[str, ...]) -> Any:
-    if isinstance(value, dict):
-        return {key: _tidy(value[key], passed_over) for key in sorted(value) if key not in passed_over}
-    return value
+def _sorted(value: Any) -> Any:
+    return {key: _sorted(value[key]) for key in sorted(value)} if isinstance(value, dict) else value

@@ -40,6 +40,7 @@ _MADE_BY = {
     "down": ("carry_sweep",),
     "branches": ("continue_orbits",),
     "portraits": ("trace_portraits",),
+    "basins": ("map_basins",),
     "tiles": ("map_tile",),
     "maps": ("join_map",),
 }
@@ -84,7 +85,7 @@ def _makers(path: Path) -> tuple[str, ...]:
     folder, above = path.parent.name, path.parent.parent.name
     if re.fullmatch(r"\d+-of-\d+", path.stem):
         return _MADE_BY["tiles" if above == "tiles" else "parts"]
-    if re.fullmatch(r"q\d{3}", path.stem) or folder in ("branches", "portraits", "maps"):
+    if re.fullmatch(r"q\d{3}", path.stem) or folder in ("branches", "portraits", "basins", "maps"):
         return _MADE_BY.get(folder, ())
     if above == "sweeps" and folder in ("restart", "up", "down"):
         return _MADE_BY[folder]

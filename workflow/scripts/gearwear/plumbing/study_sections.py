@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from gearwear.plumbing.basin_sections import Basins
 from gearwear.plumbing.gear_sections import (
     Backlash,
     Elasticity,
@@ -280,5 +281,6 @@ class Configuration(Section):
     branches: Branches
     maps: Maps
     portraits: Portraits
+    basins: Basins
     figures: Figures
     studies: dict[CaseName, Study] = table("Studies made of members.", "studies")
