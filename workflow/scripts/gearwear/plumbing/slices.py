@@ -54,6 +54,8 @@ STAGES: dict[str, tuple[str, ...]] = {
     "map_backlash": (*_EXCITED, "maps.mesh_frequency", "maps.backlash", "sweeps.backlash.reading"),
     "map_temperature": (*_EXCITED, "maps.mesh_frequency", "maps.temperature"),
     "map_wear": (*_EXCITED, "maps.mesh_frequency"),
+    "onsets": (*_EXCITED, "sweeps.order", "onsets.refinement"),
+    "onset_shifts": ("sweeps.order", "onsets.members", "onsets.box"),
     "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
 }
 

@@ -35,7 +35,7 @@ from gearwear.plumbing.key_types import (
     table,
     target,
 )
-from gearwear.plumbing.member_sections import Study
+from gearwear.plumbing.member_sections import Onsets, Study
 
 MOST_CYCLES = 10**12
 _Order = Annotated[int, Field(ge=1, le=64), ReadWhole]
@@ -281,4 +281,5 @@ class Configuration(Section):
     maps: Maps
     portraits: Portraits
     figures: Figures
+    onsets: Onsets
     studies: dict[CaseName, Study] = table("Studies made of members.", "studies")
