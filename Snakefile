@@ -21,6 +21,7 @@ include: "workflow/rules/state.smk"
 include: "workflow/rules/sweeps.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/maps.smk"
+include: "workflow/rules/onsets.smk"
 
 
 rule all:
@@ -37,3 +38,9 @@ rule all:
 rule maps:
     input:
         mapped(),
+
+
+rule onsets:
+    input:
+        "results/onsets.csv",
+        "results/figures/onsets.svg",

@@ -99,7 +99,11 @@ BAD = [
     ("dynamics.dampng_ratio", 0.1, "unknown key (did you mean dynamics.damping_ratio?)"),
     ("gear_pair.teeth.pinon", 19, "unknown key (did you mean gear_pair.teeth.pinion?)"),
     ("cases.with.bulk_temprature", 1, "unknown key (did you mean cases.with.bulk_temperature?)"),
-    ("wear.damping_ratio", 0.1, "unknown key (the key of that name is dynamics.damping_ratio)"),
+    (
+        "wear.damping_ratio",
+        0.1,
+        "unknown key (the key of that name is dynamics.damping_ratio or onsets.box.damping_ratio)",
+    ),
     (
         "half_backlash",
         1e-4,

@@ -94,4 +94,4 @@ def test_a_bad_override_stops_the_run_with_member_and_key(project):
 def test_an_unknown_member_is_named_with_those_there_are(project):
     run = overlaid(project, {"studies": STUDIES}, "-n", "--", "results/studies/heat/t130/with/temperature.nc")
     assert run.returncode != 0
-    assert "studies/heat/t130: no such member of a study; members: studies/heat/t120" in run.stdout
+    assert "studies/heat/t130: no such member; members of study heat: t120\n" in run.stdout

@@ -42,9 +42,14 @@ scattergather:
 def member(root):
     """The configuration of a member of a study, by its folder; "" is the study itself."""
     if root not in MEMBERS:
-        known = [name.rstrip("/") for name in MEMBERS if name]
+        study = root.split("/")[1]
+        known = [
+            name.split("/")[2]
+            for name in MEMBERS
+            if name.startswith(f"studies/{study}/")
+        ]
         raise WorkflowError(
-            f"{root.rstrip('/')}: no such member of a study; members: {', '.join(known) or 'none'}"
+            f"{root.rstrip('/')}: no such member; members of study {study}: {', '.join(known) or 'none'}"
         )
     return MEMBERS[root]
 

@@ -5,7 +5,6 @@ from gearwear.claims.events import (
     chaos_earlier_with_temperature_and_wear,
     find_event,
     judge_event,
-    runs,
 )
 from gearwear.claims.study import Undecided
 from gearwear.claims.sweeps import Sweep
@@ -17,11 +16,6 @@ def sweep_of(motion_class, displacement=None, swept=None) -> Sweep:
     swept = np.arange(1.0, motion_class.size + 1) if swept is None else np.asarray(swept)
     section = np.zeros(swept.size) if displacement is None else np.asarray(displacement, dtype=float)
     return Sweep(swept, motion_class, np.column_stack([section] * 4))
-
-
-def test_runs_cover_the_sequence():
-    assert runs(np.array([1, 1, 2, 101, 101])) == [(1, 0, 1), (2, 2, 2), (101, 3, 4)]
-    assert runs(np.array([4])) == [(4, 0, 0)]
 
 
 @pytest.mark.parametrize(

@@ -18,18 +18,22 @@ def study():
 
     def of(**studies):
         raw["maps"]["temperature"] = [40, 60.5]
+        raw["onsets"]["members"] = 1
+        for name in ("bore_radius", "pinion_torque", "pressure_viscosity"):
+            raw["onsets"]["box"][name] = {"low": 1, "high": 1}
         return check(raw | {"studies": {name: {"members": table} for name, table in studies.items()}})
 
     return of
 
 
 MAPPED = ["studies/temperature/t40/", "studies/temperature/t60_5/"]
+ENSEMBLE = [f"studies/onsets/{name}/" for name in ("damping_ratio_low", "damping_ratio_high", "box_001")]
 
 
 def test_the_study_itself_is_the_first_and_only_one_without_members(study):
     config = study()
     found = members(config)
-    assert list(found) == ["", *MAPPED]
+    assert list(found) == ["", *MAPPED, *ENSEMBLE]
     assert found[""] == config
 
 
@@ -38,10 +42,18 @@ def test_every_temperature_of_the_map_is_a_member(study):
     assert [found[root]["cases"]["with"]["bulk_temperature"] for root in MAPPED] == [40.0, 60.5]
 
 
+def test_the_ensemble_of_the_onsets_has_its_members(study):
+    config = study()
+    found = [members(config)[root] for root in ENSEMBLE]
+    damping = config["dynamics"]["damping_ratio"]
+    assert [one["dynamics"]["damping_ratio"] / damping for one in found] == pytest.approx([0.9, 1.1, 1.0])
+    assert all(one["gear_pair"] == config["gear_pair"] for one in found)
+
+
 def test_a_member_differs_from_the_study_in_its_overrides_only(study):
     config = study(heat={"t120": {"cases": {"with": {"bulk_temperature": 120}}}})
     found = members(config)
-    assert list(found) == ["", *MAPPED, "studies/heat/t120/"]
+    assert list(found) == ["", *MAPPED, *ENSEMBLE, "studies/heat/t120/"]
     member = found["studies/heat/t120/"]
     assert member["cases"]["with"] == {"bulk_temperature": 120.0, "running_cycles": 2_100_000_000, "flash": True}
     member["cases"]["with"]["bulk_temperature"] = 100.0

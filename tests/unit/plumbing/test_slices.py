@@ -69,7 +69,16 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("elasticity.law", {"temperature", "advance_wear", "mesh_stiffness"}),
         (
             "operation.pinion_torque",
-            {"temperature", "transmission_error", "advance_wear", "response", "sweep", "branches", "portraits"}
+            {
+                "temperature",
+                "transmission_error",
+                "advance_wear",
+                "response",
+                "sweep",
+                "branches",
+                "onsets",
+                "portraits",
+            }
             | MAPS
             | {"basins"},
         ),
@@ -82,8 +91,8 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("transmission_error.mode", {"transmission_error"}),
         ("backlash.half_backlash", {"backlash"}),
         ("wear.cycles_per_update", {"advance_wear"}),
-        ("dynamics.damping_ratio", {"response", "sweep", "branches", "portraits", "basins"} | MAPS),
-        ("settling.largest_period", {"response", "sweep", "portraits", "basins"} | MAPS),
+        ("dynamics.damping_ratio", {"response", "sweep", "branches", "onsets", "portraits", "basins"} | MAPS),
+        ("settling.largest_period", {"response", "sweep", "onsets", "portraits", "basins"} | MAPS),
         ("cases.with.bulk_temperature", {"temperature", "deformation", "advance_wear", "mesh_stiffness"}),
         ("cases.with.flash", {"temperature"}),
         ("cases.with.running_cycles", set()),
@@ -93,7 +102,10 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("sweeps.backlash.mesh_frequency", {"sweep", "branches", "portraits", "basins"}),
         ("sweeps.ste.points", set()),
         ("sweeps.backlash.cases", set()),
-        ("sweeps.order", set()),
+        ("sweeps.order", {"onsets", "onset_shifts"}),
+        ("onsets.refinement", {"onsets"}),
+        ("onsets.members", {"onset_shifts"}),
+        ("onsets.box.bore_radius.low", {"onset_shifts"}),
         ("branches.largest_period", {"branches"}),
         ("portraits.backlash.with", {"portraits"}),
         ("portraits.ste.with", set()),
@@ -146,5 +158,5 @@ def test_every_key_of_the_physics_reaches_a_stage(config):
                 }
     only_targets = {("cases", case, "running_cycles") for case in config["cases"]}
     only_targets |= {("sweeps", sweep, "cases") for sweep in config["portraits"]}
-    only_targets |= {("sweeps", "order"), ("figures", "diagonal"), ("maps", "case")}
+    only_targets |= {("figures", "diagonal"), ("maps", "case")}
     assert set(leaves(config)) - reached == only_targets

@@ -71,6 +71,8 @@ def test_every_field_has_a_unit_unless_it_is_a_label_or_an_index():
     }
     integers_and_words |= {"branch_index", "branch_parent", "stable", "special_point"}
     integers_and_words |= {f"branch_{side}{rest}" for side in ("start", "end") for rest in ("", "_remark")}
+    integers_and_words |= {"event", "variant", "error", "member", "parameter", "onset_how", "onset_remark"}
+    integers_and_words |= {f"member_{what}_{case}" for what in ("how", "remark") for case in ("without", "with")}
     assert without == integers_and_words
     assert all(field.long_name and field.dims for field in FIELDS.values())
 
@@ -283,6 +285,11 @@ def test_lineage_of_the_inputs_is_written_beside_the_own(tmp_path):
         ("results/studies/parts/sweeps/geometry.nc", ("build_geometry",)),
         ("results/studies/sweeps/parts/with/temperature.nc", ("heat_contact",)),
         ("results/parts/wear/q000.nc", ("start_wear", "advance_wear")),
+        ("results/onset_shifts.nc", ("compare_onsets",)),
+        ("results/with/onsets.nc", ("locate_onsets",)),
+        ("results/studies/onsets/box_001/with/onsets.nc", ("locate_onsets",)),
+        ("results/with/onset_variants.nc", ("vary_onsets",)),
+        ("results/studies/branches/portraits/geometry.nc", ("build_geometry",)),
         ("somewhere/else.nc", ()),
     ],
 )

@@ -8,6 +8,7 @@ import numpy as np
 
 from gearwear.attractors.section import is_closed_curve, mean_and_error, recurrence, shrinking_periods
 from gearwear.dynamics import motion_class
+from gearwear.dynamics.motion import AUTOMATIC
 from gearwear.dynamics.oscillator import Oscillator
 from gearwear.orbits.newton import Orbit, minimal_period, periodic_orbit
 from gearwear.orbits.return_map import COARSEST, return_maps, torque_repeats
@@ -52,6 +53,7 @@ def weigh(
     recurrence_tolerance: float,
     chaos_threshold: float,
     tolerance: float,
+    backend: str = AUTOMATIC,
 ) -> Evidence:
     """Classify a motion by its section.
 
@@ -69,12 +71,12 @@ def weigh(
     growth : logarithms of the growth of a tangent vector over the last forcing periods
     first_period : index of the forcing period at which the section begins
     largest_period, recurrence_tolerance, chaos_threshold : as in settling.Settling
-    tolerance : of the integrator, where the affine map does not apply
+    tolerance, backend : of the integrator, as in motion.strobe
     """
     exponent, error = mean_and_error(growth / oscillator.period)
     found = recurrence(states, largest_period, recurrence_tolerance)
     candidates = [found.period] if found.period else shrinking_periods(states, largest_period, _NEAR)
-    orbit, distance, stable = _orbit_near(oscillator, states, first_period, candidates, tolerance)
+    orbit, distance, stable = _orbit_near(oscillator, states, first_period, candidates, tolerance, backend)
     positive = exponent > max(chaos_threshold, 3 * error)
     code, conflict = motion_class.NOT_CONVERGED, motion_class.AGREED
     if stable:
@@ -112,13 +114,13 @@ def weigh(
     )
 
 
-def _orbit_near(oscillator, states, first_period, candidates, tolerance) -> tuple[Orbit | None, float, bool]:
+def _orbit_near(oscillator, states, first_period, candidates, tolerance, backend) -> tuple[Orbit | None, float, bool]:
     """Return an orbit the end of the section is near, its distance, and whether it is stable, if possible a stable one.
 
     Every candidate is a number of forcing periods; the seed is the last state at a whole number of them from period 0,
     where an external torque has its phase of period 0.
     """
-    maps = return_maps(lambda _: oscillator, min(tolerance, COARSEST))
+    maps = return_maps(lambda _: oscillator, min(tolerance, COARSEST), backend)
     known = None, np.nan, False
     for period in candidates:
         if not torque_repeats(oscillator, period):

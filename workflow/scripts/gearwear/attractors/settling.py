@@ -7,7 +7,7 @@ import numpy as np
 from gearwear.attractors.evidence import weigh
 from gearwear.attractors.section import BATCHES
 from gearwear.dynamics import motion_class
-from gearwear.dynamics.motion import BLOW_UP, COMPLETED, GROWTH, MAPS, RECORDS, TOO_MANY_STEPS
+from gearwear.dynamics.motion import AUTOMATIC, BLOW_UP, COMPLETED, GROWTH, MAPS, RECORDS, TOO_MANY_STEPS
 from gearwear.dynamics.motion_many import strobe_many
 from gearwear.dynamics.oscillator import Oscillator
 
@@ -68,7 +68,12 @@ def settle(oscillator: Oscillator, state, settling: Settling, tolerance: float =
 
 
 def settle_many(
-    oscillators: list[Oscillator], states, settling: Settling, tolerance: float = 1e-10, detail: int = RECORDS
+    oscillators: list[Oscillator],
+    states,
+    settling: Settling,
+    tolerance: float = 1e-10,
+    detail: int = RECORDS,
+    backend: str = AUTOMATIC,
 ) -> list[Attractor]:
     """Run every oscillator until its motion is clearly periodic, quasi-periodic or chaotic, or the time is over.
 
@@ -98,7 +103,7 @@ def settle_many(
     while waiting.size:
         own = [oscillators[p] for p in waiting]
         run = strobe_many(
-            own, states[waiting], transient - reached, reached, tolerance, tangents[waiting], detail=GROWTH
+            own, states[waiting], transient - reached, reached, tolerance, tangents[waiting], GROWTH, backend
         )
         attractors |= _lost(waiting, run.status, transient, settling.sampled_periods)
         alive = np.flatnonzero(run.status == COMPLETED)
@@ -106,7 +111,7 @@ def settle_many(
             break
         waiting, own = waiting[alive], [own[i] for i in alive]
         begins, directions = run.states[alive, -1], run.tangent[alive]
-        sample = strobe_many(own, begins, settling.sampled_periods, transient, tolerance, directions, detail=detail)
+        sample = strobe_many(own, begins, settling.sampled_periods, transient, tolerance, directions, detail, backend)
         attractors |= _lost(waiting, sample.status, transient, settling.sampled_periods)
         undecided = []
         for place in np.flatnonzero(sample.status == COMPLETED):
@@ -122,6 +127,7 @@ def settle_many(
                 settling.recurrence_tolerance,
                 settling.chaos_threshold,
                 tolerance,
+                backend,
             )
             if evidence.motion_class == motion_class.NOT_CONVERGED and transient < settling.longest_transient:
                 undecided.append(p)

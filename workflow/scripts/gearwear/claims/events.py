@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gearwear.attractors.sequence import changes, first_run
 from gearwear.claims import rules
 from gearwear.claims.study import Study, Undecided
 from gearwear.claims.sweeps import CHAOTIC, NOT_CONVERGED, Sweep, class_code, read_sweep
@@ -38,25 +39,17 @@ def find_event(sweep: Sweep, event: str) -> Event:
     raise ValueError(f"event {event!r} is unknown; use 'P1->P2' or the like, 'chaos onset', 'amplitude jump'")
 
 
-def runs(motion_class: np.ndarray) -> list[tuple[int, int, int]]:
-    """Return the runs of equal classes as (class, first index, last index)."""
-    starts = np.concatenate([[0], np.flatnonzero(np.diff(motion_class)) + 1])
-    ends = np.concatenate([starts[1:] - 1, [motion_class.size - 1]])
-    return [(int(motion_class[a]), int(a), int(b)) for a, b in zip(starts, ends, strict=True)]
-
-
 def change_of_period(sweep: Sweep, before: int, after: int) -> Event:
     """Return the midpoint between the first run of class `before` that a run of class `after` follows.
 
     Points that did not converge are left out first, then runs shorter than `rules.PERIOD_RUN` points.
     """
     swept, motion_class = _classified(sweep)
-    long_runs = [run for run in runs(motion_class) if run[2] - run[1] + 1 >= rules.PERIOD_RUN]
-    for (first_class, _, last), (next_class, first, _) in zip(long_runs, long_runs[1:], strict=False):
-        if (first_class, next_class) == (before, after):
-            low, high = swept[last], swept[first]
-            return Event(float((low + high) / 2), f"between {low:.4f} and {high:.4f}")
-    return Event(None, _absent(sweep))
+    found = changes(motion_class, before, after, rules.PERIOD_RUN)
+    if not found:
+        return Event(None, _absent(sweep))
+    low, high = swept[list(found[0])]
+    return Event(float((low + high) / 2), f"between {low:.4f} and {high:.4f}")
 
 
 def onset_of_chaos(sweep: Sweep) -> Event:
@@ -65,10 +58,10 @@ def onset_of_chaos(sweep: Sweep) -> Event:
     Points that did not converge are left out first.
     """
     swept, motion_class = _classified(sweep)
-    for code, first, last in runs(motion_class):
-        if code == CHAOTIC and last - first + 1 >= rules.CHAOS_RUN:
-            return Event(float(swept[first]), f"run of {last - first + 1} points from {swept[first]:.4f}")
-    return Event(None, _absent(sweep))
+    run = first_run(motion_class, CHAOTIC, rules.CHAOS_RUN)
+    if run is None:
+        return Event(None, _absent(sweep))
+    return Event(float(swept[run[0]]), f"run of {run[1] - run[0] + 1} points from {swept[run[0]]:.4f}")
 
 
 def amplitude_jump(sweep: Sweep) -> Event:

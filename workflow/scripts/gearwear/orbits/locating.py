@@ -10,6 +10,7 @@ from scipy.optimize import brentq, newton
 from gearwear.orbits.codes import PERIOD_DOUBLING
 from gearwear.orbits.curve import Curve, Point
 from gearwear.orbits.newton import Orbit, periodic_orbit, twice
+from gearwear.orbits.return_map import Family
 from gearwear.orbits.special_points import margins
 
 _PARAMETER_ACCURACY = 1e-10
@@ -51,22 +52,30 @@ def locate_half_period(curve: Curve, near: Point) -> Point | None:
     """Return the point close to another where the orbit has half the period, None if it is lost.
 
     It is a branch point, where the equations of the branch are singular, but a regular orbit of half the period with
-    a multiplier of -1: the secant method over the parameter finds that.
+    a multiplier of -1.
     """
     half = curve.period // 2
     section = near.orbit.section
-    found = {"state": (section[0] + section[half]) / 2}
+    orbit = doubling_near(curve.family, near.orbit.value, (section[0] + section[half]) / 2, half)
+    return None if orbit is None else curve.point(twice(orbit))
 
-    def margin(share: float) -> float:
-        orbit = periodic_orbit(curve.family, curve.value(share), found["state"], half).orbit
+
+def doubling_near(family: Family, value: float, state: np.ndarray, period: int) -> Orbit | None:
+    """Return the orbit with a multiplier of -1 next to an orbit of about this value and state, None if it is lost.
+
+    The secant method over the parameter, to 1e-10; every orbit on the way starts Newton's method for the next.
+    """
+    found = {"state": state}
+
+    def margin(at: float) -> float:
+        orbit = periodic_orbit(family, at, found["state"], period).orbit
         if orbit is None:
             raise _Lost
         found["state"], found["orbit"] = orbit.section[0], orbit
         return margins(orbit.matrix)[PERIOD_DOUBLING - 1]
 
     try:
-        share = newton(margin, near.place[2], tol=_PARAMETER_ACCURACY, maxiter=_MOST_STEPS)
-        margin(share)
+        margin(newton(margin, value, tol=_PARAMETER_ACCURACY, maxiter=_MOST_STEPS))
     except (_Lost, ValueError, RuntimeError):
         return None
-    return curve.point(twice(found["orbit"]))
+    return found["orbit"]

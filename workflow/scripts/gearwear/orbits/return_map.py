@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwear.dynamics.motion import MAPS, strobe
+from gearwear.dynamics.motion import AUTOMATIC, MAPS, strobe
 from gearwear.dynamics.oscillator import Oscillator
 
 COARSEST = 1e-10  # tolerance of the integrator; a coarser map is too rough for derivatives and Newton steps
@@ -40,13 +40,15 @@ def torque_repeats(oscillator: Oscillator, period: int) -> bool:
     return not oscillator.has_second_frequency or float(turns).is_integer()
 
 
-def return_maps(oscillator_at: Callable[[float], Oscillator], tolerance: float = 1e-10) -> Family:
+def return_maps(
+    oscillator_at: Callable[[float], Oscillator], tolerance: float = 1e-10, backend: str = AUTOMATIC
+) -> Family:
     """Return the function (value of a parameter, period) -> map over that many mesh periods.
 
     Parameters
     ----------
     oscillator_at : oscillator at a value of the parameter, whichever that is.
-    tolerance : of the integrator.
+    tolerance, backend : of the integrator, as in motion.strobe.
 
     Raises
     ------
@@ -66,7 +68,8 @@ def return_maps(oscillator_at: Callable[[float], Oscillator], tolerance: float =
             )
 
         def run(state: np.ndarray) -> Passage:
-            motion, matrix = strobe(oscillator, state, period, 0, tolerance, detail=MAPS), np.eye(2)
+            motion = strobe(oscillator, state, period, 0, tolerance, detail=MAPS, backend=backend)
+            matrix = np.eye(2)
             for tangent_map in motion.tangent_maps:
                 matrix = tangent_map @ matrix
             return Passage(motion.states, matrix)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from gearwear.dynamics import motion_class
+from gearwear.onsets.codes import HOW
 from gearwear.orbits.codes import BRANCH_ENDS, SPECIAL_POINTS, STABILITY
 
 MOTION_CLASSES = dict(zip(motion_class.FLAG_MEANINGS, motion_class.FLAG_VALUES, strict=True))
@@ -26,6 +27,7 @@ _SCALAR, _GEAR = ((),), (("gear",),)
 _PATH, _BOTH = (("path",),), (("gear", "path"),)
 _ROW, _COLUMN, _PLANE = (("row",),), (("column",),), (("row", "column"),)
 _PHASE, _POINT = (("mesh_phase",),), (("point",), ())
+_EVENT, _WAYS, _MEMBERS = (("event",),), (("variant", "event"),), (("member", "event"),)
 _NODE, _BRANCH = (("node",),), (("branch",),)
 _ATTRACTOR = (("point", "attractor"),)
 _MOTION, _SECTION = _POINT + _ATTRACTOR, (("point", "sample"), ("point", "attractor", "sample"))
@@ -221,4 +223,28 @@ FIELDS: dict[str, Field] = {
     "branch_end": Field("", "why the branch goes no further after its last orbit", _BRANCH, BRANCH_ENDS),
     "branch_start_remark": Field("", "the same in words, with the last good point", _BRANCH),
     "branch_end_remark": Field("", "the same in words, with the last good point", _BRANCH),
+    # onsets of doublings and of chaos
+    "event": Field("", "event on the route to chaos", _EVENT),
+    "variant": Field("", "way of computing the events", (("variant",),)),
+    "error": Field("", "contribution to the numerical error", (("error",),)),
+    "member": Field("", "member of the ensemble", (("member",),)),
+    "parameter": Field("", "parameter varied over the ensemble", (("parameter",),)),
+    "onset": Field("1", "mesh frequency over natural frequency at the event", _EVENT + _WAYS, None, True),
+    "onset_seen": Field("1", "mesh frequency where the sweep shows the event", _EVENT + _WAYS, None, True),
+    "onset_how": Field("", "how the sweep meets the event", _EVENT + _WAYS, HOW),
+    "onset_resolution": Field("1", "how far below the onset the event may lie", _EVENT + _WAYS, None, True),
+    "onset_remark": Field("", "the same in words", _EVENT + _WAYS),
+    "onset_without": Field("1", "onset in case without", _EVENT, None, True),
+    "onset_with": Field("1", "onset in case with", _EVENT, None, True),
+    "onset_shift": Field("1", "onset in case with less that in case without", _EVENT, None, True),
+    "variant_shift": Field("1", "shift of the event where the sweeps show it", _WAYS, None, True),
+    "shift_error": Field("1", "numerical error of the shift", (("error", "event"),), None, True),
+    "factor": Field("1", "factor on the value of the study", (("member", "parameter"),)),
+    "member_shift": Field("1", "shift of the onset", _MEMBERS, None, True),
+    "member_onset_without": Field("1", "onset in case without", _MEMBERS, None, True),
+    "member_onset_with": Field("1", "onset in case with", _MEMBERS, None, True),
+    "member_how_without": Field("", "how the sweep of case without meets the event", _MEMBERS, HOW),
+    "member_how_with": Field("", "how the sweep of case with meets the event", _MEMBERS, HOW),
+    "member_remark_without": Field("", "the same in words", _MEMBERS),
+    "member_remark_with": Field("", "the same in words", _MEMBERS),
 }

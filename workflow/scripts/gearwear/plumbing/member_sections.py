@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from gearwear.plumbing.key_types import CaseName, Section, table
+from gearwear.plumbing.key_types import CaseName, Number, Section, Whole, quantity, table, target
 
 
 class Study(Section):
@@ -13,3 +13,29 @@ class Study(Section):
     members: dict[CaseName, dict[Any, Any]] = table(
         "Keys in which the member differs from this configuration, nested as here.", "members"
     )
+
+
+class Range(Section):
+    """Range of a factor on the value of the study."""
+
+    low: Number = quantity("1", "Least factor.", gt=0.0, le=1.0)
+    high: Number = quantity("1", "Largest factor.", ge=1.0, le=10.0)
+
+
+class Box(Section):
+    """Ranges of the parameters that the paper leaves open, as factors on the values of the study."""
+
+    damping_ratio: Range
+    bore_radius: Range
+    pinion_torque: Range
+    pressure_viscosity: Range
+
+
+class Onsets(Section):
+    """Shift of the onsets of period doublings and chaos from case without to case with, and its spread."""
+
+    refinement: Whole = quantity(
+        "1", "Finer steps in the step of the mesh frequency sweep where chaos begins.", ge=1, le=1000
+    )
+    members: Whole = target("Members drawn from the box, beside those at its faces.", "1", ge=0, le=999)
+    box: Box

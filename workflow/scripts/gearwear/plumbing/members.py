@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from gearwear.onsets import ensemble
 from gearwear.plumbing.settings import ConfigError, check
 
 Overrides = Mapping[str, Any]
@@ -62,4 +63,5 @@ def _studies(config: dict[str, Any]) -> dict[str, Mapping[str, Overrides]]:
         temperature_root(value).split("/")[2]: {"cases": {maps["case"]: {"bulk_temperature": value}}}
         for value in maps["temperature"]
     }
-    return {"temperature": temperatures} | {name: study["members"] for name, study in config["studies"].items()}
+    declared = {name: study["members"] for name, study in config["studies"].items()}
+    return {"temperature": temperatures, ensemble.STUDY: ensemble.overrides(config)} | declared

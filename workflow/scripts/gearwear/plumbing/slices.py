@@ -54,6 +54,8 @@ STAGES: dict[str, tuple[str, ...]] = {
     "map_backlash": (*_EXCITED, "maps.mesh_frequency", "maps.backlash", "sweeps.backlash.reading"),
     "map_temperature": (*_EXCITED, "maps.mesh_frequency", "maps.temperature"),
     "map_wear": (*_EXCITED, "maps.mesh_frequency"),
+    "onsets": (*_EXCITED, "sweeps.order", "onsets.refinement"),
+    "onset_shifts": ("sweeps.order", "onsets.members", "onsets.box"),
     "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
     "basins": (
         *_EXCITED,
@@ -89,8 +91,9 @@ def slice_of(config: dict, stage: str, case: str = "", sweep: str = "") -> dict[
             target = target.setdefault(name, {})
         target[path[-1]] = source[path[-1]]
     for name, settings in cut.get("sweeps", {}).items():
-        passed_over = _PASSED_OVER.get(stage, ())
-        cut["sweeps"][name] = {key: value for key, value in settings.items() if key not in passed_over}
+        if isinstance(settings, dict):
+            passed_over = _PASSED_OVER.get(stage, ())
+            cut["sweeps"][name] = {key: value for key, value in settings.items() if key not in passed_over}
     return _sorted(cut)
 
 

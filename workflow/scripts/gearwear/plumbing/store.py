@@ -43,7 +43,12 @@ _MADE_BY = {
     "basins": ("map_basins",),
     "tiles": ("map_tile",),
     "maps": ("join_map",),
+    "onsets": ("locate_onsets",),
+    "onset_variants": ("vary_onsets",),
+    "onset_shifts": ("compare_onsets",),
 }
+
+_SINGLE = ("geometry", "onsets", "onset_variants", "onset_shifts")  # names of nothing else
 
 
 def load(path: str | Path) -> xr.Dataset:
@@ -82,6 +87,8 @@ def load(path: str | Path) -> xr.Dataset:
 def _makers(path: Path) -> tuple[str, ...]:
     """Return the rules that may have made a result, by its place: a swept quantity may be named like a stage."""
     # Studies, members, cases and swept quantities may be called like stages or their folders.
+    if path.stem in _SINGLE:
+        return _MADE_BY[path.stem]
     folder, above = path.parent.name, path.parent.parent.name
     if re.fullmatch(r"\d+-of-\d+", path.stem):
         return _MADE_BY["tiles" if above == "tiles" else "parts"]
@@ -89,7 +96,7 @@ def _makers(path: Path) -> tuple[str, ...]:
         return _MADE_BY.get(folder, ())
     if above == "sweeps" and folder in ("restart", "up", "down"):
         return _MADE_BY[folder]
-    return _MADE_BY[path.stem] if path.stem in ("geometry", "temperature", "deformation") else ()
+    return _MADE_BY[path.stem] if path.stem in ("temperature", "deformation") else ()
 
 
 def save(dataset: xr.Dataset, job) -> None:

@@ -36,7 +36,7 @@ from gearwear.plumbing.key_types import (
     table,
     target,
 )
-from gearwear.plumbing.member_sections import Study
+from gearwear.plumbing.member_sections import Onsets, Study
 
 MOST_CYCLES = 10**12
 _Order = Annotated[int, Field(ge=1, le=64), ReadWhole]
@@ -283,4 +283,5 @@ class Configuration(Section):
     portraits: Portraits
     basins: Basins
     figures: Figures
+    onsets: Onsets
     studies: dict[CaseName, Study] = table("Studies made of members.", "studies")

@@ -1,0 +1,120 @@
+from gearwear.onsets import ensemble
+
+SHIFTED = ("without", "with")
+
+
+def main_sweep(sweep):
+    """Input function: the sweep in the order that is shown first and judged."""
+
+    def in_order(wildcards):
+        order = member(wildcards.root)["sweeps"]["order"]
+        return f"results/{wildcards.root}{wildcards.case}/sweeps/{order}/{sweep}.nc"
+
+    return in_order
+
+
+def ensemble_onsets(case):
+    """The onsets of a case for every member of the ensemble, in their order."""
+    return [
+        f"results/studies/{ensemble.STUDY}/{name}/{case}/onsets.nc"
+        for name in ensemble.factors(config["onsets"])
+    ]
+
+
+rule locate_onsets:
+    input:
+        geometry="results/{root}geometry.nc",
+        mesh_stiffness=final("mesh_stiffness"),
+        transmission_error=final("transmission_error"),
+        backlash=final("backlash"),
+        reference_stiffness=reference("mesh_stiffness"),
+        reference_error=reference("transmission_error"),
+        sweep=main_sweep("mesh_frequency"),
+        branches="results/{root}{case}/branches/mesh_frequency.nc",
+    output:
+        "results/{root}{case}/onsets.nc",
+    log:
+        "results/logs/{root}{case}/locate_onsets.log",
+    benchmark:
+        "results/benchmarks/{root}{case}/locate_onsets.tsv"
+    params:
+        cfg=cfg("onsets"),
+        code=code("locate_onsets.py"),
+    message:
+        "Case {wildcards.root}{wildcards.case}: locating the onsets of period doublings and chaos."
+    script:
+        "../scripts/locate_onsets.py"
+
+
+rule vary_onsets:
+    input:
+        geometry="results/{root}geometry.nc",
+        mesh_stiffness=final("mesh_stiffness"),
+        transmission_error=final("transmission_error"),
+        backlash=final("backlash"),
+        reference_stiffness=reference("mesh_stiffness"),
+        reference_error=reference("transmission_error"),
+        sweeps=expand(
+            "results/{{root}}{{case}}/sweeps/{order}/mesh_frequency.nc",
+            order=("restart", "up", "down"),
+        ),
+        branches="results/{root}{case}/branches/mesh_frequency.nc",
+    output:
+        "results/{root}{case}/onset_variants.nc",
+    log:
+        "results/logs/{root}{case}/vary_onsets.log",
+    benchmark:
+        "results/benchmarks/{root}{case}/vary_onsets.tsv"
+    params:
+        cfg=cfg("onsets"),
+        code=code("vary_onsets.py"),
+    message:
+        "Case {wildcards.root}{wildcards.case}: computing the onsets in other ways."
+    script:
+        "../scripts/vary_onsets.py"
+
+
+rule compare_onsets:
+    input:
+        onsets=expand("results/{case}/onsets.nc", case=SHIFTED),
+        variants=expand("results/{case}/onset_variants.nc", case=SHIFTED),
+        members=[ensemble_onsets(case) for case in SHIFTED],
+    output:
+        shifts="results/onset_shifts.nc",
+        table="results/onsets.csv",
+    log:
+        "results/logs/compare_onsets.log",
+    benchmark:
+        "results/benchmarks/compare_onsets.tsv"
+    params:
+        cfg=cfg("onset_shifts"),
+        code=code("compare_onsets.py"),
+    message:
+        "Comparing the onsets of the cases without and with, and over the ensemble."
+    script:
+        "../scripts/compare_onsets.py"
+
+
+rule plot_onsets:
+    input:
+        shifts="results/onset_shifts.nc",
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/onsets.svg",
+            caption=caption("onsets"),
+            category="Dynamics",
+            labels={"figure": "onsets"},
+        ),
+        png="results/figures/onsets.png",
+    log:
+        "results/logs/plot_onsets.log",
+    benchmark:
+        "results/benchmarks/plot_onsets.tsv"
+    params:
+        cfg={},
+        code=code("plot_onsets.py"),
+    message:
+        "Figure: shift of the onsets, its numerical error and its spread."
+    script:
+        "../scripts/plot_onsets.py"

@@ -1,0 +1,36 @@
+"""The shift of the onsets from case `without` to case `with`: numerical error, ensemble, one table."""
+
+from typing import TYPE_CHECKING
+
+from gearwear.onsets import ensemble, table
+from gearwear.onsets.shifts import CASES, shifts
+from gearwear.plumbing import stage, store
+
+if TYPE_CHECKING:
+    from snakemake.iocontainers import snakemake
+
+
+def main(job):
+    cfg = job.params.cfg
+    factors = ensemble.factors(cfg["onsets"])
+    onsets, variants = (
+        {case: store.load(path) for case, path in zip(CASES, paths, strict=True)}
+        for paths in (job.input.onsets, job.input.variants)
+    )
+    files = iter(job.input.members)
+    members = {case: {name: store.load(next(files)) for name in factors} for case in CASES}
+    compared = shifts(onsets, variants, members, cfg["sweeps"]["order"], factors)
+    store.save(compared, job)
+    rows = table.rows(compared)
+    with store.atomic(job.output.table) as temporary:
+        table.write(rows, temporary)
+    for row in rows:
+        stage.announce(
+            f"{row['event']}: with less without {row['shift']} +- {row['numerical_error']}; ensemble "
+            f"{row['percentile_5']} to {row['percentile_95']}, {row['members_with_event']} of {row['members']} members"
+        )
+
+
+if __name__ == "__main__":
+    with stage.logged(snakemake, __file__):
+        main(snakemake)

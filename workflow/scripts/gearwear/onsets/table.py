@@ -1,0 +1,65 @@
+"""The shifts of the onsets as one table, a row for every event."""
+
+from __future__ import annotations
+
+import csv
+
+import numpy as np
+import xarray as xr
+
+from gearwear.onsets.codes import ERRORS, LOCATED, TOTAL
+from gearwear.onsets.shifts import CASES, drawn, spread
+
+_FIGURES = "{:.6f}"
+NO_NUMBER = "none"
+
+
+def rows(table: xr.Dataset) -> list[dict[str, str]]:
+    """Return the rows: shift with its numerical error and its parts, the ensemble, the faces of the box, what lacks.
+
+    All shifts are mesh frequencies over the natural frequency of each case, that of case `with` less that of case
+    `without`: negative where `with` comes earlier.
+    """
+    statistics, inside = spread(table), drawn(table)
+    found = []
+    for i, event in enumerate(table["event"].values):
+        error = dict(zip(ERRORS, table["shift_error"].values[:, i], strict=True))
+        row = {"event": str(event)}
+        row |= {case: _number(table[f"onset_{case}"].values[i]) for case in CASES}
+        row |= {"shift": _number(table["onset_shift"].values[i]), "numerical_error": _small(error.pop(TOTAL))}
+        row |= {f"error_{name}": _small(value) for name, value in error.items()}
+        row |= {"members": str(int(inside.sum())), "members_with_event": str(int(statistics["exists"][i]))}
+        row |= {
+            name: _number(statistics[key][i])
+            for name, key in (("median", "median"), ("percentile_5", "low"), ("percentile_95", "high"))
+        }
+        row["share_earlier"] = NO_NUMBER if np.isnan(statistics["earlier"][i]) else f"{statistics['earlier'][i]:.2f}"
+        for name, value in zip(table["member"].values[~inside], table["member_shift"].values[~inside, i], strict=True):
+            row[str(name)] = _number(value)
+        row["lacking"] = "; ".join(_lacking(table, i)) or NO_NUMBER
+        found.append(row)
+    return found
+
+
+def write(found: list[dict[str, str]], path: str) -> None:
+    """Write the rows as CSV."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(found[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(found)
+
+
+def _lacking(table: xr.Dataset, event: int):
+    for position in np.flatnonzero(np.isnan(table["member_shift"].values[:, event])):
+        member = table["member"].values[position]
+        for case in CASES:
+            if table[f"member_how_{case}"].values[position, event] not in LOCATED:
+                yield f"{member} {case}: {table[f'member_remark_{case}'].values[position, event]}"
+
+
+def _number(value: float) -> str:
+    return NO_NUMBER if np.isnan(value) else _FIGURES.format(value)
+
+
+def _small(value: float) -> str:
+    return NO_NUMBER if np.isnan(value) else f"{value:.1e}"

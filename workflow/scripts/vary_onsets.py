@@ -1,0 +1,35 @@
+"""The onsets of one case computed in other ways: orders, start, settling, step and integrator."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+import xarray as xr
+
+from gearwear.attractors.settling import Settling
+from gearwear.dynamics.excitation import excitation
+from gearwear.onsets import route
+from gearwear.onsets.codes import ORDERS, VARIANTS
+from gearwear.onsets.record import columns
+from gearwear.plumbing import stage, store
+
+if TYPE_CHECKING:
+    from snakemake.iocontainers import snakemake
+
+
+def main(job):
+    cfg, geometry = job.params.cfg, store.load(job.input.geometry)
+    dynamics, refinement = cfg["dynamics"], cfg["onsets"]["refinement"]
+    source = excitation(geometry, *store.mesh_states(job.input), cfg["operation"]["pinion_torque"], dynamics)
+    state = route.State(source, dynamics, Settling(**cfg["settling"]), store.load(job.input.branches))
+    sweeps = {order: store.load(path) for order, path in zip(ORDERS, job.input.sweeps, strict=True)}
+    ways = {order: route.along(state, sweeps[order], order, refinement) for order in ORDERS}
+    ways |= route.varied(state, sweeps["restart"], ways["restart"], refinement)
+    for name, events in ways.items():
+        stage.log.info("%s: %s", name, ", ".join(f"{event.seen:.6f}" for event in events))
+    table = columns([ways[name] for name in VARIANTS]) | {"variant": ("variant", np.array(VARIANTS, dtype=object))}
+    store.save(xr.Dataset(table).set_coords(["event", "variant"]), job)
+
+
+if __name__ == "__main__":
+    with stage.logged(snakemake, __file__):
+        main(snakemake)
