@@ -2,37 +2,20 @@
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-import xarray as xr
-
-from gearwear.geometry.contact_path import contact_path
-from gearwear.geometry.involute import GEARS, equivalent_mass, gear_pair
-from gearwear.mesh.foundation import fit_warnings
+from gearwear.chain.geometry import beyond_fits, geometry
 from gearwear.plumbing import stage, store
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
 
-ON_GRID = {"path": "path", "path_phase": "path", "partner": "path"}
-
 
 def main(job):
-    settings = dict(job.params.cfg["gear_pair"])
-    inertia = settings.pop("inertia")
-    density = {name: job.params.cfg["material"][name]["density"] for name in GEARS}
-    pair = gear_pair(**settings)
-    mesh = contact_path(pair, job.params.cfg["grid"]["mesh_cells"])
-    moments, mass = equivalent_mass(pair, density, inertia)
-    stage.log.info("contact ratio %.4f, equivalent mass %.4f kg", mesh.contact_ratio, mass)
-    for i, name in enumerate(GEARS):
-        for sentence in fit_warnings(pair.root_radius[i] / pair.bore_radius[i], pair.rack_root_angle[i], name):
-            stage.announce(f"warning: {sentence}")
-    values = {"gear": list(GEARS), "moment_of_inertia": ("gear", moments), "equivalent_mass": mass}
-    for name, value in pair._asdict().items():
-        values[name] = ("gear", value) if np.ndim(value) else value
-    for name, value in mesh._asdict().items():
-        values[name] = (ON_GRID.get(name, "mesh_phase"), value) if np.ndim(value) else value
-    store.save(xr.Dataset(values).set_coords(["gear", "path", "mesh_phase"]), job)
+    pair = geometry(job.params.cfg)
+    ratio, mass = float(pair["contact_ratio"]), float(pair["equivalent_mass"])
+    stage.log.info("contact ratio %.4f, equivalent mass %.4f kg", ratio, mass)
+    for sentence in beyond_fits(pair):
+        stage.announce(f"warning: {sentence}")
+    store.save(pair, job)
 
 
 if __name__ == "__main__":

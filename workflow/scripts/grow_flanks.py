@@ -2,12 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-import xarray as xr
-
-from gearwear.geometry.involute import GEARS
-from gearwear.geometry.kinematics import curvature
-from gearwear.heat.growth import base_circle_growth, flank_growth
+from gearwear.chain.deformation import deformation
 from gearwear.plumbing import stage, store
 
 if TYPE_CHECKING:
@@ -15,32 +10,10 @@ if TYPE_CHECKING:
 
 
 def main(job):
-    cfg = job.params.cfg
-    heat, bulk = cfg["heat"], cfg["case"]["bulk_temperature"]
-    geometry, temperature = store.load(job.input.geometry), store.load(job.input.temperature)
-    flash = temperature["flash_temperature"].values
-    rim = bulk - heat["initial_temperature"]
-    shaft = max(rim - heat["shaft_temperature_drop"], 0.0)
-    radii, _ = curvature(geometry)
-    grown, with_flash, rims = [], [], []
-    for i, name in enumerate(GEARS):
-        base, expansion = float(geometry["base_radius"][i]), cfg["material"][name]["thermal_expansion"]
-        rims.append(base_circle_growth(shaft, rim, float(geometry["bore_radius"][i]), base, expansion, heat["hub"]))
-        for rise, results in ((np.full_like(flash, rim), grown), (rim + flash, with_flash)):
-            half = float(geometry["base_half_angle"][i])
-            results.append(flank_growth(radii[i], base, half, rise, rims[i], expansion, heat["growth"]))
-    chosen = grown if heat["temperature_rise"] == "bulk" else with_flash
-    growth = np.stack([one.growth for one in chosen])
-    extra = np.stack([hot.growth - cool.growth for hot, cool in zip(with_flash, grown, strict=True)])
-    stage.log.info("the four flanks grow by %.2f um on average", 2e6 * growth.sum(axis=0).mean())
-    along = ("gear", "path")
-    values = {
-        "thermal_growth": (along, growth),
-        "thermal_growth_flash": (along, extra),
-        "involute_error": (along, np.stack([one.involute_error for one in chosen])),
-        "base_circle_growth": ("gear", np.array(rims)),
-    }
-    store.save(xr.Dataset(values, {"path": geometry["path"], "gear": geometry["gear"]}), job)
+    grown = deformation(job.params.cfg, store.load(job.input.geometry), store.load(job.input.temperature))
+    mean = float(grown["thermal_growth"].sum("gear").mean())
+    stage.log.info("the four flanks grow by %.2f um on average", 2e6 * mean)
+    store.save(grown, job)
 
 
 if __name__ == "__main__":

@@ -2,9 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-import xarray as xr
-
-from gearwear.mesh.backlash import half_backlash
+from gearwear.chain.backlash import backlash
 from gearwear.plumbing import stage, store
 
 if TYPE_CHECKING:
@@ -12,24 +10,12 @@ if TYPE_CHECKING:
 
 
 def main(job):
-    settings, geometry = job.params.cfg["backlash"], store.load(job.input.geometry)
-    wear, deformation = store.load(job.input.wear), store.load(job.input.deformation)
-    clearance = half_backlash(
-        settings["half_backlash"],
-        store.load(job.input.transmission_error)["elastic_deflection"].values,
-        wear["wear_depth"].values,
-        deformation["thermal_growth"].values,
-        float(geometry["working_pressure_angle"]),
-        settings["projection"],
-    )
-    over_mesh = clearance[geometry["entering"].values]
-    stage.log.info("mean half backlash %.3f um", 1e6 * over_mesh @ geometry["mesh_phase_width"].values)
-    values = {
-        "backlash": ("mesh_phase", over_mesh),
-        "backlash_path": ("path", clearance),
-        "initial_half_backlash": settings["half_backlash"],
-    }
-    store.save(xr.Dataset(values, {name: geometry[name] for name in ("path", "mesh_phase")}), job)
+    names = ("geometry", "deformation", "wear", "transmission_error")
+    geometry, *others = (store.load(job.input[name]) for name in names)
+    clearance = backlash(job.params.cfg, geometry, *others)
+    mean = clearance["backlash"].values @ geometry["mesh_phase_width"].values
+    stage.log.info("mean half backlash %.3f um", 1e6 * mean)
+    store.save(clearance, job)
 
 
 if __name__ == "__main__":

@@ -2,9 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-import xarray as xr
-
+from gearwear.chain.pristine import unworn
 from gearwear.plumbing import stage, store
 
 if TYPE_CHECKING:
@@ -12,14 +10,7 @@ if TYPE_CHECKING:
 
 
 def main(job):
-    geometry = store.load(job.input.geometry)
-    none = np.zeros((geometry.sizes["gear"], geometry.sizes["path"]))
-    values = {
-        "wear_depth": (("gear", "path"), none),
-        "wear_per_revolution": (("gear", "path"), none),
-        "running_cycles": 0.0,
-    }
-    store.save(xr.Dataset(values, {"path": geometry["path"], "gear": geometry["gear"]}), job)
+    store.save(unworn(store.load(job.input.geometry)), job)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,44 @@
+"""Dimensions of the gear pair, the path of contact and the grids of the mesh."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from gearwear.geometry.contact_path import contact_path
+from gearwear.geometry.involute import GEARS, equivalent_mass, gear_pair
+from gearwear.mesh.foundation import fit_warnings
+
+_ON_GRID = {"path": "path", "path_phase": "path", "partner": "path"}
+
+
+def geometry(cfg: dict[str, Any]) -> xr.Dataset:
+    """Return the pair and its grids.
+
+    Parameters
+    ----------
+    cfg : the slice `geometry`.
+    """
+    settings = dict(cfg["gear_pair"])
+    inertia = settings.pop("inertia")
+    density = {name: cfg["material"][name]["density"] for name in GEARS}
+    pair = gear_pair(**settings)
+    mesh = contact_path(pair, cfg["grid"]["mesh_cells"])
+    moments, mass = equivalent_mass(pair, density, inertia)
+    values = {"gear": list(GEARS), "moment_of_inertia": ("gear", moments), "equivalent_mass": mass}
+    for name, value in pair._asdict().items():
+        values[name] = ("gear", value) if np.ndim(value) else value
+    for name, value in mesh._asdict().items():
+        values[name] = (_ON_GRID.get(name, "mesh_phase"), value) if np.ndim(value) else value
+    return xr.Dataset(values).set_coords(["gear", "path", "mesh_phase"])
+
+
+def beyond_fits(pair: xr.Dataset) -> list[str]:
+    """Return a sentence for every fit of the gear bodies that the pair, as `geometry` gives it, lies outside of."""
+    found = []
+    for i, name in enumerate(GEARS):
+        root, bore, angle = (float(pair[key][i]) for key in ("root_radius", "bore_radius", "rack_root_angle"))
+        found += fit_warnings(root / bore, angle, name)
+    return found
