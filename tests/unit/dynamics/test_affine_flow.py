@@ -48,7 +48,7 @@ def random_oscillator(seed, clearance):
         stiffness,
         error,
         Harmonics(clearance, clearance * random.uniform(0, 0.4, waves), random.uniform(0, 6, waves)),
-        ExternalTorque(0.05, 2.0, 0.3) if seed % 5 == 0 else ExternalTorque(),
+        ExternalTorque(2.0, (0.05, 0.0, 0.02), (0.3, 0.0, 1.2)) if seed % 5 == 0 else ExternalTorque(),
     )
 
 
@@ -156,7 +156,7 @@ def test_shorter_cells_give_the_same_motion():
 
 
 def test_torque_at_another_frequency_and_endless_periods_are_left_to_dormand_prince():
-    torque = dataclasses.replace(CHAOTIC, torque=ExternalTorque(0.05, 0.618, 0.4))
+    torque = dataclasses.replace(CHAOTIC, torque=ExternalTorque(0.618, (0.05,), (0.4,)))
     for oscillator in (torque, dataclasses.replace(CHAOTIC, frequency=1e-4)):
         assert not affine_table.applies_to(oscillator)
     general = strobe(torque, (0.0, 0.0), 2, backend=GENERAL)

@@ -29,7 +29,7 @@ def unlike_oscillators():
                 PeriodicTable(BREAKS, (1.3, 0.8), (1.2, 0.7)) if i % 3 == 1 else Harmonics(1.0, (0.3, 0.1), (0.0, 1.0)),
                 PeriodicTable(BREAKS, (0.0, 0.15), (0.05, 0.02)) if i % 3 else Harmonics(0.0, (0.2,), (0.5,)),
                 Harmonics(10.0 ** -(i % 4), (0.2 * 10.0 ** -(i % 4),), (0.4,)) if i % 2 else Harmonics(0.3),
-                ExternalTorque(0.05, 1.0, 0.2) if i == 5 else ExternalTorque(),
+                ExternalTorque(1.0, (0.05, 0.02, 0.01), (0.2, 0.0, 0.5)) if i == 5 else ExternalTorque(),
             )
         )
     return oscillators
@@ -69,7 +69,7 @@ def test_many_states_of_one_oscillator():
 
 
 def test_what_the_map_does_not_serve_is_integrated(monkeypatch):
-    torque = dataclasses.replace(CHAOTIC, torque=ExternalTorque(0.05, 0.618, 0.4))
+    torque = dataclasses.replace(CHAOTIC, torque=ExternalTorque(0.618, (0.05,), (0.4,)))
     monkeypatch.setattr(motion_many, "LONGEST_TABLE", 40)
     oscillators = [CHAOTIC, torque, CHAOTIC.at_frequency(0.2), CHAOTIC.at_frequency(1.1)]
     many = strobe_many(oscillators, (0.0, 0.0), 5, first_period=3)

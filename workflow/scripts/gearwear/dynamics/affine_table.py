@@ -88,17 +88,17 @@ def cut_cells(cells: np.ndarray, phases, period: float) -> np.ndarray:
 @njit
 def cell_counts(constants, harmonics, cells):
     """(n,) number of equal parts of each cell of Coefficients; so short that fourteen powers suffice."""
-    frequency, friction, amplitude, ratio = constants[0], constants[1], constants[4], constants[5]
+    frequency, friction, ratio = constants[0], constants[1], constants[4]
     stiffest, fluctuation, fastest = 0.0, 0.0, 0.0
     for n in range(cells.shape[0]):
         end = cells[n, 2] + cells[n, 3] * (cells[n, 1] - cells[n, 0]) * 2.0 * math.pi / frequency
         stiffest = max(stiffest, max(cells[n, 2], end))
     for j in range(harmonics.shape[0]):
         fluctuation += math.hypot(harmonics[j, 0], harmonics[j, 1])
-        if np.any(harmonics[j] != 0.0):
-            fastest = (j + 1) * frequency
-    if amplitude != 0.0:
-        fastest = max(fastest, abs(ratio) * frequency)
+        if np.any(harmonics[j, :6] != 0.0):
+            fastest = max(fastest, (j + 1) * frequency)
+        if np.any(harmonics[j, 6:] != 0.0):
+            fastest = max(fastest, (j + 1) * ratio * frequency)
     rate = fastest + math.sqrt(stiffest + fluctuation) + friction
     longest = min(LONGEST_CELL, LARGEST_TURN / rate)
     counts = np.empty(cells.shape[0], np.int64)
@@ -152,7 +152,7 @@ def fill_table(constants, harmonics, cells, counts, scratch, rows, slack):
 @borrowing
 def load_series(constants, harmonics, middle, half, row, force):
     """Add the fluctuations of stiffness, force and clearance to their series about a mesh phase."""
-    frequency, amplitude, ratio, shift = constants[0], constants[4], constants[5], constants[6]
+    frequency, ratio = constants[0], constants[4]
     for j in range(harmonics.shape[0]):
         angle, turn = 2.0 * math.pi * (((j + 1) * middle) % 1.0), (j + 1) * frequency * half
         if harmonics[j, 0] != 0.0 or harmonics[j, 1] != 0.0:
@@ -161,9 +161,9 @@ def load_series(constants, harmonics, middle, half, row, force):
             add_wave(force, 0, harmonics[j, 2], harmonics[j, 3], angle, turn)
         if harmonics[j, 4] != 0.0 or harmonics[j, 5] != 0.0:
             add_wave(row, CLEARANCE, harmonics[j, 4], harmonics[j, 5], angle, turn)
-    if amplitude != 0.0:
-        angle = 2.0 * math.pi * ((ratio * middle) % 1.0) + shift
-        add_wave(force, 0, amplitude, 0.0, angle, ratio * frequency * half)
+        if harmonics[j, 6] != 0.0 or harmonics[j, 7] != 0.0:
+            angle = 2.0 * math.pi * (((j + 1) * ratio * middle) % 1.0)
+            add_wave(force, 0, harmonics[j, 6], harmonics[j, 7], angle, ratio * turn)
 
 
 @borrowing

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, Strict
 
 from gearwear.plumbing.basin_sections import Basins
 from gearwear.plumbing.gear_sections import (
@@ -27,6 +27,7 @@ from gearwear.plumbing.key_types import (
     Names,
     Number,
     Numbers,
+    ReadNumber,
     ReadWhole,
     Section,
     Whole,
@@ -40,6 +41,8 @@ from gearwear.plumbing.member_sections import Onsets, Study
 
 MOST_CYCLES = 10**12
 _Order = Annotated[int, Field(ge=1, le=64), ReadWhole]
+_Amplitude = Annotated[float, Field(ge=0.0, le=5.0), ReadNumber]
+_Phase = Annotated[float, Field(ge=-6.2832, le=6.2832), ReadNumber]
 
 
 class Wear(Section):
@@ -72,11 +75,15 @@ class Wear(Section):
 
 
 class TorqueFluctuation(Section):
-    """External harmonic torque."""
+    """External periodic torque, a sum of harmonics."""
 
-    amplitude: Number = quantity("1", "Amplitude over the mean mesh force; 0 = none.", ge=0.0, le=5.0)
     frequency_ratio: Number = quantity("1", "Its frequency over the mesh frequency.", gt=0.0, le=100.0)
-    phase: Number = quantity("rad", "Phase at the entry of a tooth pair.", ge=-6.2832, le=6.2832)
+    amplitudes: Annotated[list[_Amplitude], Strict()] = quantity(
+        "1", "Amplitudes of its harmonics 1, 2, ... over the mean mesh force; an empty list = none.", max_length=64
+    )
+    phases: Annotated[list[_Phase], Strict()] = quantity(
+        "rad", "Their phases at the entry of a tooth pair, one for every amplitude.", max_length=64
+    )
 
 
 class Start(Section):
