@@ -190,6 +190,11 @@ BAD = [
         300,
         "300.0 is above the largest allowed value 250 degC; give a number from -40 to 250 degC",
     ),
+    (
+        "dynamics.torque_fluctuation.amplitudes",
+        [-0.1],
+        "-0.1 is below the least allowed value 0; give a number from 0 to 5",
+    ),
     # rules between keys
     (
         "cases.with.running_cycles",

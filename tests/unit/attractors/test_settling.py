@@ -142,3 +142,13 @@ def test_less_detail_leaves_out_what_needs_more():
 
 def test_no_points_give_no_motions():
     assert settle_many([], np.empty((0, 2)), SETTLING) == []
+
+
+def test_an_early_end_changes_nothing_but_round_off():
+    oscillators = [look_alike(w) for w in (0.4, 0.9, 1.1, 1.21, 1.4)]
+    whole = settle_many(oscillators, (0.0, 0.0), SETTLING)
+    early = settle_many(oscillators, (0.0, 0.0), SETTLING._replace(early_end=True))
+    for one, other in zip(whole, early, strict=True):
+        for name in one._fields:
+            rounded = name in ("exponent", "exponent_error")
+            np.testing.assert_allclose(getattr(other, name), getattr(one, name), rtol=0, atol=1e-12 if rounded else 0)

@@ -58,6 +58,7 @@ def strobe(
     tangent=(1.0, 0.0),
     detail: int = RECORDS,
     backend: str = AUTOMATIC,
+    early_end: bool = False,
 ) -> Strobe:
     """Run whole forcing periods from a state at mesh phase 0.
 
@@ -71,6 +72,8 @@ def strobe(
     tangent : (2,) tangent vector whose growth is measured, any length but 0
     detail : STATES, GROWTH, MAPS or RECORDS; each holds the ones before it and takes longer, the states are the same
     backend : AUTOMATIC, or GENERAL for Dormand-Prince in any case
+    early_end : stop as soon as the state recurs to the last bit, and fill in the rest in less time: the same states,
+        and all else the same but for the round-off of GROWTH alone. Dormand-Prince always runs to the end
 
     Raises
     ------
@@ -81,7 +84,7 @@ def strobe(
     check_request(tangent, periods, first_period, tolerance, detail, backend)
     if backend == GENERAL or not affine_table.applies_to(oscillator):
         return _general(oscillator, state, periods, first_period, tolerance, tangent, (), detail)[0]
-    return _affine(oscillator, state, periods, tangent / np.hypot(*tangent), (), detail)[0]
+    return _affine(oscillator, state, periods, tangent / np.hypot(*tangent), (), detail, early_end)[0]
 
 
 def trace(
@@ -148,10 +151,17 @@ def check_request(tangent, periods, first_period, tolerance, detail, backend) ->
         raise ValueError(f"backend: {backend!r} must be {AUTOMATIC!r} or {GENERAL!r}")
 
 
-def _affine(oscillator, state, periods, tangent, phases, detail):
+def stored(detail: int, early_end: bool) -> int:
+    """Detail to run with: an early end carries the tangent vector on through the maps."""
+    return MAPS if early_end and detail == GROWTH else detail
+
+
+def _affine(oscillator, state, periods, tangent, phases, detail, early_end=False):
     rows, slack = affine_table.affine_table(oscillator, phases)
     stops = np.searchsorted(rows[:, affine_table.COMMON, affine_table.START], phases)
-    run = affine_flow.run(rows, slack, state, tangent, int(periods), detail, stops.astype(np.int64))
+    run = affine_flow.run(
+        rows, slack, state, tangent, int(periods), stored(detail, early_end), stops.astype(np.int64), early_end
+    )
     states, maps, growth, records, visits, status = run
     return collected(oscillator.period, states, maps, growth, records, tangent, status, detail), visits
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from gearwear.dynamics.affine_batch import count_all, run_many
-from gearwear.dynamics.motion import AUTOMATIC, GENERAL, RECORDS, STATES, Strobe, check_request, collected, strobe
+from gearwear.dynamics.motion import AUTOMATIC, GENERAL, RECORDS, Strobe, check_request, collected, strobe, stored
 from gearwear.dynamics.oscillator import Oscillator
 from gearwear.dynamics.periodic import Harmonics
 
@@ -31,8 +31,7 @@ def strobe_many(
     states : (points, 2) or (2,) displacement and velocity
     tangent : (points, 2) or (2,)
     periods, first_period, tolerance, detail, backend : as in motion.strobe
-    early_end : stop a point as soon as its state recurs to the last bit, and fill in the rest: the same states in
-        less time; for the detail STATES
+    early_end : as in motion.strobe
 
     Returns
     -------
@@ -42,12 +41,10 @@ def strobe_many(
     Raises
     ------
     ValueError
-        As motion.strobe; for an early end with more detail than STATES.
+        As motion.strobe.
     """
     points = len(oscillators)
     starts, directions = _pairs(states, points, "state"), _pairs(tangent, points, "tangent")
-    if early_end and detail != STATES:
-        raise ValueError(f"early_end: fills in states only; ask for the detail STATES, {STATES}, not {detail}")
     if points == 0:
         raise ValueError("oscillators: the list is empty; give at least one")
     for direction in directions if np.ndim(tangent) > 1 else directions[:1]:
@@ -69,7 +66,7 @@ def strobe_many(
         parts.append((together, _run(chosen, stacked, counts, starts[together], unit, periods, detail, early_end)))
     for p in np.flatnonzero(single):
         run = strobe(
-            oscillators[p], starts[p], periods, first_period, tolerance, directions[p], detail=detail, backend=backend
+            oscillators[p], starts[p], periods, first_period, tolerance, directions[p], detail, backend, early_end
         )
         parts.append((np.array([p]), Strobe(*(value if value is None else np.array([value]) for value in run))))
     return _merged(parts, points)
@@ -93,7 +90,7 @@ def _run(oscillators, stacked, counts, starts, directions, periods, detail, earl
     order = np.argsort(counts, kind="stable")
     shared = [False] + [oscillators[a] is oscillators[b] for a, b in zip(order[1:], order[:-1], strict=True)]
     states, maps, growth, records, status = run_many(
-        *stacked, np.array(shared), order, counts, starts, directions, int(periods), detail, early_end
+        *stacked, np.array(shared), order, counts, starts, directions, int(periods), stored(detail, early_end), early_end
     )
     period = 2 * np.pi / stacked[0][:, :1]
     return collected(period, states, maps, growth, records, directions, status, detail)

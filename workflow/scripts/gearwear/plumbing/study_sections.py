@@ -152,6 +152,10 @@ class Settling(Section):
     chaos_threshold: Number = quantity(
         "1", "Least Lyapunov exponent per unit of dimensionless time that is called chaos.", gt=0.0, le=1.0
     )
+    early_end: Flag = plain(
+        "Whether a motion whose section recurs to the last bit is filled in instead of run on; the sections stay the "
+        "same to the last bit, exponents to round-off."
+    )
 
 
 class Case(Section):
