@@ -14,7 +14,6 @@ from gearwear.dynamics.periodic import Harmonics, PeriodicTable
 
 CHAOTIC = Oscillator(1.4, 0.1, 0.1, Harmonics(1.0, (-0.4,), (0.0,)), Harmonics(0.0, (0.1,), (0.0,)))
 BREAKS = (0.0, 0.37, 1.0)
-NOTHING = np.zeros(0), np.zeros((0, 2, 2)), np.zeros((0, 5))
 
 
 def unlike_oscillators():
@@ -110,17 +109,17 @@ def test_recurring_states_are_filled_in(period):
     cycle = np.random.default_rng(period).uniform(size=(period, 2))
     states = np.concatenate([np.random.default_rng(9).uniform(size=(7, 2)), np.resize(cycle, (40, 2))])
     expected = states.copy()
-    filled = 0
+    filled, nothing, none = 0, np.zeros(0), np.zeros((0, 2, 2))
     for reached in range(1, 47):
         rest = states.copy()
         rest[reached + 1 :] = np.nan
-        if fill_if_recurring(reached, STATES, NOTHING[0], rest, NOTHING[1], NOTHING[0], NOTHING[2]):
+        if fill_if_recurring(reached, STATES, nothing, rest, none, nothing, none[:, 0]):
             filled += 1
             np.testing.assert_array_equal(rest, expected)
     assert filled > 0
     unlike = np.arange(100.0).reshape(50, 2)
     assert not any(
-        fill_if_recurring(reached, STATES, NOTHING[0], unlike, NOTHING[1], NOTHING[0], NOTHING[2]) for reached in range(1, 50)
+        fill_if_recurring(reached, STATES, nothing, unlike, none, nothing, none[:, 0]) for reached in range(1, 50)
     )
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from gearwear.dynamics.affine_batch import count_all, run_many
-from gearwear.dynamics.motion import AUTOMATIC, GENERAL, RECORDS, Strobe, check_request, collected, strobe, stored
+from gearwear.dynamics.motion import AUTOMATIC, GENERAL, RECORDS, Strobe, check_request, collected, stored, strobe
 from gearwear.dynamics.oscillator import Oscillator
 from gearwear.dynamics.periodic import Harmonics
 
@@ -89,8 +89,9 @@ def _merged(parts, points: int) -> Strobe:
 def _run(oscillators, stacked, counts, starts, directions, periods, detail, early_end):
     order = np.argsort(counts, kind="stable")
     shared = [False] + [oscillators[a] is oscillators[b] for a, b in zip(order[1:], order[:-1], strict=True)]
+    run_with = stored(detail, early_end)
     states, maps, growth, records, status = run_many(
-        *stacked, np.array(shared), order, counts, starts, directions, int(periods), stored(detail, early_end), early_end
+        *stacked, np.array(shared), order, counts, starts, directions, int(periods), run_with, early_end
     )
     period = 2 * np.pi / stacked[0][:, :1]
     return collected(period, states, maps, growth, records, directions, status, detail)
