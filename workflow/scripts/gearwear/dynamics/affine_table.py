@@ -21,7 +21,7 @@ from gearwear.dynamics.cell_series import (
     fourth_derivative_bound,
     fundamental_series,
     product_series,
-    value_at_end,
+    values_at_ends,
 )
 from gearwear.dynamics.compiled import borrowing, njit
 from gearwear.dynamics.oscillator import Coefficients, Oscillator
@@ -145,7 +145,7 @@ def fill_table(constants, harmonics, cells, counts, scratch, rows, slack):
                 contact, b = place == CONTACT, row[CLEARANCE]
                 fundamental_series(waves, contact, half, constants[1], stiffness, force, shift, b, steady)
                 finish_maps(branch, row[RATE], row[CLEARANCE_BEND], slack)
-            row[FORCE_START] = value_at_end(force, 0, -1.0)[0]
+            row[FORCE_START] = values_at_ends(force, 0)[0]
             r += 1
 
 
@@ -170,8 +170,7 @@ def load_series(constants, harmonics, middle, half, row, force):
 def finish_clearance(row):
     """Ends, bounds and curvature of the clearance, and a bound of the stiffness, from their series."""
     rate = row[RATE]
-    b0, d0 = value_at_end(row, CLEARANCE, -1.0)
-    b1, d1 = value_at_end(row, CLEARANCE, 1.0)
+    b0, d0, b1, d1 = values_at_ends(row, CLEARANCE)
     row[END_CLEARANCE], row[END_CLEARANCE + 1] = b0, d0 * rate
     row[END_CLEARANCE + 2], row[END_CLEARANCE + 3] = b1, d1 * rate
     bend = fourth_derivative_bound(row, CLEARANCE) / 9.0
@@ -192,20 +191,18 @@ def finish_maps(row, rate, clearance_bend, slack):
 
     A map takes (x, v) to (m0 x + m1 v + m4 + side m6, m2 x + m3 v + m5 + side m7).
     """
-    p0, p1 = value_at_end(row, WAVES + P * TERMS, -1.0)
-    q0, q1 = value_at_end(row, WAVES + Q * TERMS, -1.0)
-    f0, f1 = value_at_end(row, WAVES + R_FORCE * TERMS, -1.0)
-    b0, b1 = value_at_end(row, WAVES + R_CLEARANCE * TERMS, -1.0)
+    p0, p1, p2, p3 = values_at_ends(row, WAVES + P * TERMS)
+    q0, q1, q2, q3 = values_at_ends(row, WAVES + Q * TERMS)
+    f0, f1, f2, f3 = values_at_ends(row, WAVES + R_FORCE * TERMS)
+    b0, b1, b2, b3 = values_at_ends(row, WAVES + R_CLEARANCE * TERMS)
+    row[OUT], row[OUT + 1], row[OUT + 2], row[OUT + 3] = p2, q2, p3 * rate, q3 * rate
+    row[OUT + 4], row[OUT + 5], row[OUT + 6], row[OUT + 7] = f2, f3 * rate, b2, b3 * rate
     p1, q1, f1, b1 = p1 * rate, q1 * rate, f1 * rate, b1 * rate
     wronskian = p0 * q1 - p1 * q0
     row[INTO], row[INTO + 1] = q1 / wronskian, -q0 / wronskian
     row[INTO + 2], row[INTO + 3] = -p1 / wronskian, p0 / wronskian
     row[INTO + 4], row[INTO + 5] = (q0 * f1 - q1 * f0) / wronskian, (p1 * f0 - p0 * f1) / wronskian
     row[INTO + 6], row[INTO + 7] = (q0 * b1 - q1 * b0) / wronskian, (p1 * b0 - p0 * b1) / wronskian
-    for column, wave in ((0, P), (1, Q), (4, R_FORCE), (6, R_CLEARANCE)):
-        below = column + 2 if column < 2 else column + 1
-        value, slope = value_at_end(row, WAVES + wave * TERMS, 1.0)
-        row[OUT + column], row[OUT + below] = value, slope * rate
     for line in (0, 2):
         p, q, extra = row[OUT + line], row[OUT + line + 1], line // 2
         row[STEP + line] = p * row[INTO] + q * row[INTO + 2]
