@@ -1,7 +1,8 @@
 """Folds and period doublings of two oscillators, through continuation.
 
-The numbers were computed beforehand with independent codes; the sets are those of test_kahraman_singh. Where they differ
-from ours in the sixth digit, an eighth-order integrator with events (Dormand and Prince's 8(5,3) of scipy) decides.
+The numbers were computed beforehand with independent codes; the sets are those of test_kahraman_singh. Where they
+differ from ours in the sixth digit, an eighth-order integrator with events (Dormand and Prince's 8(5,3) of scipy)
+decides.
 """
 
 import numpy as np
@@ -49,12 +50,12 @@ def passage(oscillator, state, periods):
         margin.terminal, margin.direction = True, direction
         return margin
 
-    t, y = 0.0, np.array([*state, 1.0, 0.0, 0.0, 1.0])
+    t, y, end = 0.0, np.array([*state, 1.0, 0.0, 0.0, 1.0]), periods * oscillator.period
     side = float(np.sign(y[0]) * (abs(y[0]) > 1))
-    while t < periods * oscillator.period:
+    accuracy = {"rtol": 1e-12, "atol": 1e-13, "max_step": 0.3}
+    while t < end:
         exits = [corner(side, -side)] if side else [corner(1.0, 1.0), corner(-1.0, -1.0)]
-        end = periods * oscillator.period
-        piece = solve_ivp(rates, (t, end), y, "DOP853", events=exits, args=(side,), rtol=1e-12, atol=1e-13, max_step=0.3)
+        piece = solve_ivp(rates, (t, end), y, "DOP853", events=exits, args=(side,), **accuracy)
         t, y = piece.t[-1], piece.y[:, -1]
         if piece.status == 1:
             side = 0.0 if side else float(np.sign(y[0]))
