@@ -50,7 +50,7 @@ def draw(axes: Axes, sweep: str, branches: xr.Dataset) -> None:
 
 
 def _label(axes: Axes, values: np.ndarray, special: np.ndarray, section: np.ndarray) -> None:
-    """Write the swept value beside one mark of every special point: the highest that other labels leave free."""
+    """Write the swept value beside one mark of every special point, the highest that other labels leave free."""
     bounds, height = np.sort(axes.get_xlim()), np.ptp(axes.get_ylim())
     low, high = axes.get_ylim()
     taken = []
@@ -60,11 +60,13 @@ def _label(axes: Axes, values: np.ndarray, special: np.ndarray, section: np.ndar
             continue
         spots = [(y, side) for side in (1, -1) for y in sorted(seen, reverse=True)]
         places = [(values[node] / np.ptp(bounds) / _WIDE, y / height / _LONG + side / 2) for y, side in spots]
-        apart = [min([1.0, *(max(np.abs(np.subtract(place, other))) for other in taken)]) for place in places]
         inside = [abs(place[1] - (low + high) / 2 / height / _LONG) < 0.5 / _LONG - 0.5 for place in places]
-        best = int(np.argmax(np.where(inside, apart, -1.0)))
-        taken.append(places[best])
-        y, side = spots[best]
+        apart = [all(max(np.abs(np.subtract(place, other))) >= 1 for other in taken) for place in places]
+        free = np.flatnonzero(np.logical_and(inside, apart))
+        if not free.size:
+            continue
+        taken.append(places[free[0]])
+        y, side = spots[free[0]]
         axes.annotate(
             f"{values[node]:.3f}",
             (values[node], y),

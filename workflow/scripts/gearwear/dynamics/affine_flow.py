@@ -110,16 +110,17 @@ def run_period(rows, slack, state, side, index, detail, start, work, record, sto
 
 
 @njit
-def run(rows, slack, state, direction, periods, detail, stops, early_end):
+def run(rows, slack, state, direction, first_period, periods, detail, stops, early_end):
     """Run whole periods of the oscillator of a table.
 
     Parameters
     ----------
     rows, slack : as in AffineTable
+    first_period : index of the first one, which tells the table it begins with
     state, direction : (2,) state at mesh phase 0 and tangent vector of length 1; the direction is updated in place
     detail : STATES; GROWTH of the direction; MAPS too; RECORDS too. What is not asked for is NaN
     stops : increasing numbers of cells at whose start the state is noted; the number of cells for the period's end
-    early_end : whether a motion whose state recurs is filled in, as by early_end; without stops
+    early_end : whether a motion whose state recurs is filled in, as by early_end; with one table, without stops
 
     Returns
     -------
@@ -141,7 +142,17 @@ def run(rows, slack, state, direction, periods, detail, stops, early_end):
     for i in range(periods):
         start = (1.0, 0.0, 0.0, 1.0) if detail >= MAPS else (direction[0], 0.0, direction[1], 0.0)
         a, b, c, d, last, status = run_period(
-            rows, slack, state, last, i, detail, start, work, record, stops, visits[i]
+            rows[(first_period + i) % rows.shape[0]],
+            slack,
+            state,
+            last,
+            i,
+            detail,
+            start,
+            work,
+            record,
+            stops,
+            visits[i],
         )
         if status != COMPLETED:
             visits[i] = np.nan

@@ -1,11 +1,12 @@
-"""The forcing period of an oscillator cut into cells, with everything the affine map needs of each.
+"""The mesh period of an oscillator cut into cells, with everything the affine map needs of each.
 
 A cell holds, for free flight and for contact, the affine maps from its start to its end, from its start to its middle
 and from its middle to its end, and the series of cell_series. No cell reaches across a break of a table or a phase that
-is to be visited.
+is to be visited. A torque at another frequency that repeats after some mesh periods takes a table for each of them.
 """
 
 import math
+from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -29,6 +30,7 @@ from gearwear.dynamics.oscillator import Coefficients, Oscillator
 LONGEST_CELL = 0.5
 LARGEST_TURN = 1.4  # of cell length times the fastest rate: degree 14 then leaves 1e-15
 MOST_CELLS = 16384
+MOST_PERIODS = 64  # after which an external torque must repeat
 
 # A cell has three rows: free flight, contact and what both share. Columns of the shared row; from END_CLEARANCE on
 # four: b and db/dt at the start and at the end of the cell.
@@ -41,9 +43,9 @@ STEP, INTO, OUT, BEND, WAVES = 0, 8, 16, 24, 32
 
 
 class AffineTable(NamedTuple):
-    """Cells of one forcing period.
+    """Cells of the mesh periods after which all forcing repeats.
 
-    rows : (cells, 3, WIDTH)
+    rows : (mesh periods, cells, 3, WIDTH)
     slack : (3,) bound of the quartic remainder over any cell, over |x|, |v| and 1 at its start
     """
 
@@ -58,20 +60,25 @@ def arrays(oscillator: Oscillator) -> Coefficients:
 
 
 def applies_to(oscillator: Oscillator) -> bool:
-    """Whether the oscillator repeats with the mesh and its period has a sensible number of cells."""
-    return not oscillator.has_second_frequency and cell_counts(*arrays(oscillator)).sum() <= MOST_CELLS
+    """Whether the oscillator repeats after some mesh periods, with a sensible number of cells."""
+    periods = oscillator.torque.mesh_periods(MOST_PERIODS)
+    return periods > 0 and periods * cell_counts(*arrays(oscillator)).sum() <= MOST_CELLS
 
 
 @lru_cache(maxsize=8)
 def affine_table(oscillator: Oscillator, phases: tuple[float, ...] = ()) -> AffineTable:
     """Table of an oscillator, with cell edges at the mesh phases given (increasing, within [0, 1])."""
-    coefficients = arrays(oscillator)
-    if phases:
-        coefficients = coefficients._replace(cells=cut_cells(coefficients.cells, phases, oscillator.period))
-    counts = cell_counts(*coefficients)
-    rows, slack = np.zeros((counts.sum(), 3, WIDTH)), np.zeros(3)
-    fill_table(*coefficients, counts, np.empty(2 * TERMS), rows, slack)
-    return AffineTable(rows, slack)
+    torque, tables, slack = oscillator.torque, [], np.zeros(3)
+    for period in range(torque.mesh_periods(MOST_PERIODS)):
+        coefficients = arrays(replace(oscillator, torque=torque.seen_from(period * torque.frequency_ratio)))
+        if phases:
+            coefficients = coefficients._replace(cells=cut_cells(coefficients.cells, phases, oscillator.period))
+        counts = cell_counts(*coefficients)
+        rows, own = np.zeros((counts.sum(), 3, WIDTH)), np.zeros(3)
+        fill_table(*coefficients, counts, np.empty(2 * TERMS), rows, own)
+        tables.append(rows)
+        slack = np.maximum(slack, own)
+    return AffineTable(np.array(tables), slack)
 
 
 def cut_cells(cells: np.ndarray, phases, period: float) -> np.ndarray:

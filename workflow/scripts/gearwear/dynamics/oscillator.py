@@ -50,6 +50,10 @@ class ExternalTorque:
         turns = [order * self.frequency_ratio * periods for order, a in enumerate(self.amplitudes, start=1) if a]
         return all(float(number).is_integer() for number in turns)
 
+    def mesh_periods(self, most: int) -> int:
+        """Least number of mesh periods after which it repeats, 0 if that is more than `most`."""
+        return next((periods for periods in range(1, most + 1) if self.repeats_after(periods)), 0)
+
     def seen_from(self, turns: float) -> "ExternalTorque":
         """The same function of time with its zero moved on by this many turns of the first harmonic."""
         shifts = 2 * np.pi * turns * np.arange(1, len(self.phases) + 1)

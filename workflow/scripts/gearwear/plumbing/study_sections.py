@@ -130,7 +130,8 @@ class Dynamics(Section):
     torque_fluctuation: TorqueFluctuation
     tolerance: Number = quantity(
         "1",
-        "Relative tolerance of Dormand-Prince, used where the affine map does not apply: torque at another frequency.",
+        "Relative tolerance of Dormand-Prince, used where the affine map does not apply: a torque that does not repeat "
+        "within 64 mesh periods.",
         ge=1e-13,
         le=1e-4,
     )
