@@ -190,11 +190,6 @@ BAD = [
         300,
         "300.0 is above the largest allowed value 250 degC; give a number from -40 to 250 degC",
     ),
-    (
-        "dynamics.torque_fluctuation.amplitudes",
-        [-0.1],
-        "-0.1 is below the least allowed value 0; give a number from 0 to 5",
-    ),
     # rules between keys
     (
         "cases.with.running_cycles",
@@ -330,6 +325,20 @@ def test_a_bad_key_gives_its_message(path, value, text):
                 "at most 60 of them",
                 "studies.Heat.members.(text 't 1'): not a name of a member; use small letters, digits and underscores, "
                 "a letter first, at most 60 of them",
+            ],
+        ),
+        (
+            {"dynamics.torque_fluctuation.amplitudes": [0.1, -0.1], "dynamics.torque_fluctuation.frequency_ratio": 0},
+            [
+                "dynamics.torque_fluctuation.frequency_ratio: 0.0 is not above 0; give a number above 0 up to 100",
+                "dynamics.torque_fluctuation.amplitudes[1]: -0.1 is below the least allowed value 0; "
+                "give a number from 0 to 5",
+            ],
+        ),
+        (
+            {"dynamics.torque_fluctuation.amplitudes": [0.1, 0.2], "dynamics.torque_fluctuation.phases": [0.0]},
+            [
+                "dynamics.torque_fluctuation.phases: 1 phases for 2 amplitudes; give one phase for every amplitude",
             ],
         ),
         (
