@@ -24,7 +24,7 @@ SETTLING = Settling(200, 3200, 160, 16, 1e-7, 3e-3)
 DYNAMICS = {
     "damping_ratio": 0.1,
     "tolerance": 1e-10,
-    "torque_fluctuation": {"amplitude": 0.0, "frequency_ratio": 1.0, "phase": 0.0},
+    "torque_fluctuation": {"frequency_ratio": 1.0, "amplitudes": [], "phases": []},
     "start": {"at": "stiffest_mesh", "displacement": 0.0, "velocity": 0.0},
 }
 DOUBLINGS = (1.0320482, 1.1833306, 1.2633173)

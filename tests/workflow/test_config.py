@@ -328,6 +328,20 @@ def test_a_bad_key_gives_its_message(path, value, text):
             ],
         ),
         (
+            {"dynamics.torque_fluctuation.amplitudes": [0.1, -0.1], "dynamics.torque_fluctuation.frequency_ratio": 0},
+            [
+                "dynamics.torque_fluctuation.frequency_ratio: 0.0 is not above 0; give a number above 0 up to 100",
+                "dynamics.torque_fluctuation.amplitudes[1]: -0.1 is below the least allowed value 0; "
+                "give a number from 0 to 5",
+            ],
+        ),
+        (
+            {"dynamics.torque_fluctuation.amplitudes": [0.1, 0.2], "dynamics.torque_fluctuation.phases": [0.0]},
+            [
+                "dynamics.torque_fluctuation.phases: 1 phases for 2 amplitudes; give one phase for every amplitude",
+            ],
+        ),
+        (
             {"dynamics": DROP, "dynamic": {}},
             [
                 "dynamic: unknown key (did you mean dynamics?)",

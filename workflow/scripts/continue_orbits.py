@@ -8,7 +8,7 @@ from gearwear.dynamics.excitation import excitation, swept_oscillator
 from gearwear.orbits.branches import explore
 from gearwear.orbits.continuation import Limits
 from gearwear.orbits.record import columns
-from gearwear.orbits.return_map import COARSEST, return_maps, torque_repeats
+from gearwear.orbits.return_map import COARSEST, return_maps
 from gearwear.orbits.seeds import seeds
 from gearwear.plumbing import stage, store
 
@@ -29,7 +29,7 @@ def main(job):
     found = []
     for settled in map(store.load, job.input.sweeps):
         found += seeds(*(settled[name].values for name in names), branching["largest_period"])
-    found = [seed for seed in found if torque_repeats(oscillator_at(seed.value), seed.period)]
+    found = [seed for seed in found if oscillator_at(seed.value).torque.repeats_after(seed.period)]
     limits = Limits(swept["first"], swept["last"], branching["largest_step"], most_nodes=branching["most_nodes"])
     maps = return_maps(oscillator_at, min(dynamics["tolerance"], COARSEST))
     branches = explore(maps, found, limits, branching["largest_period"])

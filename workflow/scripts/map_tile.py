@@ -60,13 +60,6 @@ def main(job):
     store.save(dataset, job)
 
 
-def _oscillator(source, name, row, frequency, cfg):
-    if name not in ("ste", "backlash"):
-        return source.oscillator(cfg["dynamics"], frequency)
-    swept = cfg.get("sweeps", {}).get(name, {}) | {"mesh_frequency": frequency}
-    return swept_oscillator(source, name, row, cfg["dynamics"], swept)
-
-
 def _state_of(inputs, place: int) -> SimpleNamespace:
     """Return the files of the mesh behind a row: its own, or the one that all rows share."""
     files = {name: paths for name, paths in inputs.items() if name not in ("geometry", "wear")}

@@ -92,7 +92,7 @@ def test_chaos_that_ends_in_a_periodic_motion_is_not_yet_decided():
 
 
 def test_orbit_over_several_periods_starts_at_the_phase_of_the_torque():
-    oscillator = look_alike(0.9, torque=ExternalTorque(0.02, 1 / 3, 0.4))
+    oscillator = look_alike(0.9, torque=ExternalTorque(1 / 3, (0.02,), (0.4,)))
     settled = strobe(oscillator, (0.0, 0.0), 301).states[-1]
     states = strobe(oscillator, settled, SAMPLES, first_period=301).states
     found = seen(oscillator, states, first_period=301)

@@ -55,7 +55,7 @@ def test_what_the_longest_transient_does_not_decide_stays_undecided():
 
 def test_a_second_frequency_gives_quasi_periodic_fates():
     stiffness, error = Harmonics(1.0, (-0.1,), (0.0,)), Harmonics(0.0, (0.02,), (0.0,))
-    torque = ExternalTorque(0.02, (np.sqrt(5) - 1) / 2, 0.0)
+    torque = ExternalTorque((np.sqrt(5) - 1) / 2, (0.02,), (0.0,))
     oscillator = Oscillator(0.9, 0.1, 0.1, stiffness, error, torque=torque)
     assert set(fates(oscillator, STATES[:2], SETTLING).motion_class) == {QUASI_PERIODIC}
 

@@ -41,6 +41,17 @@ def test_lines_are_solid_or_dashed_and_every_iterate_is_drawn(followed):
     assert [(x, y) for x, y in zip(*marks[0].get_data(), strict=True) if np.isfinite(y)] == [(1.0, 1.4)]
 
 
+def test_special_points_have_their_value_beside_them_where_there_is_room(followed):
+    followed["special_point"][:] = [0, FOLD, FOLD, FOLD, PERIOD_DOUBLING, PERIOD_DOUBLING, 0]
+    followed["ste"].values[4:6] = 0.2, 0.201
+    followed["branch_displacement"].values[5] = 1.8, np.nan
+    axes = Figure().add_subplot()
+    axes.set_ylim(0.0, 2.0)
+    branches.draw(axes, "ste", followed)
+    assert [text.get_text() for text in axes.texts] == ["0.200", "0.500", "0.500", "1.000"]
+    assert [text.xy for text in axes.texts] == [(0.2, 1.8), (0.5, 1.2), (0.5, 1.6), (1.0, 1.4)]
+
+
 def test_far_orbits_do_not_squeeze_the_diagram(followed):
     axes = Figure().add_subplot()
     axes.set_ylim(0.0, 2.0)

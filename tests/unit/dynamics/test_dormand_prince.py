@@ -7,8 +7,8 @@ import pytest
 
 from gearwear.dynamics.dormand_prince import full_load, linear_step, load, stage_loads
 
-HARMONICS = np.array([[0.2, -0.1, 0.05, 0.3, 0.1, 0.02], [0.02, 0.03, -0.1, 0.0, 0.0, 0.04]])
-CELL = (0.7, 1.1, 0.2, 0.5, 0.1, 1.0, 0.05, 0.4, 0.3, 0.1)
+HARMONICS = np.array([[0.2, -0.1, 0.05, 0.3, 0.1, 0.02, 0.05, -0.01], [0.02, 0.03, -0.1, 0.0, 0.0, 0.04, 0.0, 0.02]])
+CELL = (0.7, 1.1, 0.2, 0.5, 0.1, 1.0, 0.4, 0.3, 0.1)
 
 
 def test_error_of_a_step_is_of_sixth_order():
@@ -34,7 +34,9 @@ def test_loads_follow_the_formulas():
     angle = np.array([0.7 * t, 1.4 * t])
     waves = HARMONICS[:, ::2].T @ np.cos(angle) + HARMONICS[:, 1::2].T @ np.sin(angle)
     stiffness, clearance = 1.1 + 0.2 * (t - 0.5) + waves[0], 1.0 + waves[2]
-    force = 0.1 + waves[1] + 0.05 * math.cos(0.4 * t + 0.3)
+    turned = 0.4 * t + 0.3
+    torque = 0.05 * math.cos(turned) - 0.01 * math.sin(turned) + 0.02 * math.sin(2 * turned)
+    force = 0.1 + waves[1] + torque
     assert load(CELL, HARMONICS, 0, t) == pytest.approx((0.0, force), rel=1e-14)
     for branch in (-1, 1):
         expected = (stiffness, force + stiffness * branch * clearance)

@@ -8,6 +8,7 @@ import xarray as xr
 
 from gearwear.dynamics.excitation import excitation, swept_oscillator
 from gearwear.dynamics.harmonics import mean_over_mesh
+from gearwear.dynamics.oscillator import ExternalTorque
 from gearwear.dynamics.periodic import PeriodicTable
 
 RATIO, MASS, TORQUE, BASE = 1.6, 0.5, 130.0, 28e-3
@@ -18,7 +19,7 @@ SETTINGS = {
     "harmonics": 1,
     "ste_amplitude": "nominal",
     "clearance": "mean",
-    "torque_fluctuation": {"amplitude": 0.0, "frequency_ratio": 1.0, "phase": 0.0},
+    "torque_fluctuation": {"frequency_ratio": 1.0, "amplitudes": [], "phases": []},
 }
 
 
@@ -160,12 +161,13 @@ def test_clearance_varies_only_if_asked(geometry, reference, worn):
 
 
 def test_oscillator_takes_damping_force_and_torque_from_the_settings(geometry, reference, worn):
-    torque = {"amplitude": 0.2, "frequency_ratio": 0.5, "phase": 1.5}
+    torque = {"frequency_ratio": 0.5, "amplitudes": [0.2, 0.1], "phases": [1.5, 0.3]}
     found = of(geometry, worn, reference)
     oscillator = found.oscillator(SETTINGS | {"torque_fluctuation": torque}, 0.7)
     assert (oscillator.frequency, oscillator.damping_ratio) == (0.7, 0.08)
     assert oscillator.mean_force == found.force_parameter
-    assert oscillator.torque == pytest.approx((0.2 * found.force_parameter, 0.5, 1.5))
+    force = found.force_parameter
+    assert oscillator.torque == ExternalTorque(0.5, (0.2 * force, 0.1 * force), (1.5, 0.3))
     assert oscillator.error.amplitudes == pytest.approx((found.error_amplitude,))
     assert oscillator.error.mean == 0
 

@@ -24,12 +24,25 @@ SOUND = Oscillator(1.1, 0.1, 0.1, Harmonics(1.0, (-0.4,), (0.0,)), Harmonics(0.0
         ({"clearance": Harmonics(1.0, (1.0,), (0.3,))}, "clearance: least value"),
         ({"stiffness": Harmonics(1.0, (0.7, 0.4), (0.0, np.pi))}, "stiffness: least value"),
         ({"stiffness": PeriodicTable((0.0, 1.0), (1.0,), (0.0,))}, "stiffness: least value"),
-        ({"torque": ExternalTorque(np.nan)}, "external torque: nan"),
     ],
 )
 def test_impossible_oscillators_are_refused(change, message):
     with pytest.raises(ValueError, match=message):
         dataclasses.replace(SOUND, **change)
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        ((np.nan, (0.1,), (0.0,)), "external torque: nan"),
+        ((0.0, (0.1,), (0.0,)), "external torque: frequency_ratio 0.0"),
+        ((1.0, (np.inf,), (0.0,)), "external torque amplitudes: inf"),
+        ((1.0, (0.1, 0.2), (0.0,)), "external torque: 2 amplitudes but 1 phases"),
+    ],
+)
+def test_impossible_torques_are_refused(arguments, message):
+    with pytest.raises(ValueError, match=message):
+        ExternalTorque(*arguments)
 
 
 def test_stiffness_that_stays_positive_is_accepted():
@@ -50,7 +63,7 @@ def test_it_is_immutable():
 
 
 def test_another_length_unit_scales_the_motion_only():
-    oscillator = dataclasses.replace(SOUND, torque=ExternalTorque(0.02, 0.7, 0.3))
+    oscillator = dataclasses.replace(SOUND, torque=ExternalTorque(0.7, (0.02,), (0.3,)))
     scaled = oscillator.in_length_unit(0.25)
     motion = strobe(oscillator, (0.3, 0.1), 5, tolerance=1e-12)
     other = strobe(scaled, (1.2, 0.4), 5, tolerance=1e-12)
@@ -68,5 +81,13 @@ def test_changes_of_the_sweeps():
 
 def test_second_frequency_is_one_that_the_mesh_does_not_have():
     assert not SOUND.has_second_frequency
-    assert not dataclasses.replace(SOUND, torque=ExternalTorque(0.1, 2.0, 0.0)).has_second_frequency
-    assert dataclasses.replace(SOUND, torque=ExternalTorque(0.1, 0.3, 0.0)).has_second_frequency
+    assert not dataclasses.replace(SOUND, torque=ExternalTorque(2.0, (0.1,), (0.0,))).has_second_frequency
+    assert dataclasses.replace(SOUND, torque=ExternalTorque(0.3, (0.1,), (0.0,))).has_second_frequency
+    assert dataclasses.replace(SOUND, torque=ExternalTorque(0.5, (0.1, 0.2), (0.0, 0.0))).has_second_frequency
+    assert not dataclasses.replace(SOUND, torque=ExternalTorque(0.5, (0.0, 0.2), (0.0, 0.0))).has_second_frequency
+
+
+def test_a_torque_repeats_when_all_its_harmonics_do():
+    torque = ExternalTorque(1.5, (0.1, 0.2), (0.0, 0.0))
+    assert [torque.repeats_after(n) for n in (1, 2, 3, 4)] == [False, True, False, True]
+    assert ExternalTorque(1.5, (0.0, 0.2), (0.0, 0.0)).repeats_after(1)

@@ -14,20 +14,20 @@ def test_harmonics_sum():
 
 
 def test_minimum_of_one_harmonic_is_exact():
-    assert Harmonics(1.0, (0.3,), (0.2345,)).minimum() == pytest.approx(0.7, abs=1e-14)
+    assert Harmonics(1.0, (0.3,), (0.2345,)).minimum == pytest.approx(0.7, abs=1e-14)
 
 
 def test_minimum_of_many_harmonics_is_that_of_a_fine_grid():
     wave = Harmonics(0.0, (0.3, -0.2, 0.15, 0.1), (0.1, 1.2, 2.3, 0.7))
     grid = wave.at(np.linspace(0, 1, 400_001)).min()
-    assert grid - 1e-9 < wave.minimum() <= grid
+    assert grid - 1e-9 < wave.minimum <= grid
 
 
 def test_table_has_one_sided_values_and_slopes():
     table = PeriodicTable((0.0, 0.25, 1.0), (1.0, 3.0), (2.0, 0.0))
     np.testing.assert_allclose(table.at([0.0, 0.125, 0.25, 0.625]), [1.0, 1.5, 3.0, 1.5])
     np.testing.assert_allclose(table.slopes(), [4.0, -4.0])
-    assert table.minimum() == 0.0
+    assert table.minimum == 0.0
     assert table.scaled(-2.0).start == (-2.0, -6.0)
 
 

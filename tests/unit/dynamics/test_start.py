@@ -28,12 +28,12 @@ def test_a_run_begun_inside_the_period_joins_the_run_from_its_beginning(stiffnes
         stiffness=stiffness,
         error=Harmonics(0.0, (0.2,), (1.1,)),
         clearance=Harmonics(1.0, (0.05,), (0.3,)),
-        torque=ExternalTorque(0.03, 1.37, 0.2),
+        torque=ExternalTorque(1.37, (0.03, 0.02), (0.2, 1.0)),
     )
     begin = 0.35
     displacement, velocity = trace(whole, (0.4, 0.1), [begin, 1.0], 1, first_period=4)
     # the run ends where period 5 begins, the shifted one where period 0 does: five periods of torque phase
-    turned = whole.torque._replace(phase=whole.torque.phase + 2 * np.pi * whole.torque.frequency_ratio * 5)
+    turned = whole.torque.seen_from(5 * whole.torque.frequency_ratio)
     later = Oscillator(
         whole.frequency,
         whole.damping_ratio,

@@ -13,7 +13,7 @@ SETTLING = Settling(200, 800, 160, 16, 1e-7, 3e-3)
 DYNAMICS = {
     "damping_ratio": 0.05,
     "tolerance": 1e-10,
-    "torque_fluctuation": {"amplitude": 0.0, "frequency_ratio": 1.0, "phase": 0.0},
+    "torque_fluctuation": {"frequency_ratio": 1.0, "amplitudes": [], "phases": []},
     "start": {"at": "pair_entry", "displacement": 1.1, "velocity": 0.0},
 }
 LOSS = 0.8206311  # constant stiffness: mesh frequency above which the motion in contact ends; hysteresis below it

@@ -24,7 +24,7 @@ from gearwear.orbits.return_map import return_maps
 @pytest.mark.parametrize("frequency", [0.7, 1.3])
 def test_linear_oscillator(zeta, frequency):
     """In contact throughout: x = b + F + the response; multipliers exp(-zeta T +- i sqrt(1 - zeta^2) T)."""
-    oscillator = Oscillator(frequency, zeta, 3.0, torque=ExternalTorque(0.02, 1.0, 0.0))
+    oscillator = Oscillator(frequency, zeta, 3.0, torque=ExternalTorque(1.0, (0.02,), (0.0,)))
     attempt = periodic_orbit(return_maps(lambda _: oscillator, 1e-12), 0.0, (3.5, 0.1), 1)
     response = 0.02 / (1 - frequency**2 + 2j * zeta * frequency)
     expected = (4.0 + response.real, (1j * frequency * response).real)
@@ -40,7 +40,7 @@ def test_linear_oscillator(zeta, frequency):
 
 def test_an_orbit_of_the_torque_alone_repeats_after_its_period():
     """A torque of 3/2 of the mesh frequency makes the linear response repeat after two mesh periods."""
-    oscillator = Oscillator(0.9, 0.1, 3.0, torque=ExternalTorque(0.3, 1.5, 0.4))
+    oscillator = Oscillator(0.9, 0.1, 3.0, torque=ExternalTorque(1.5, (0.3,), (0.4,)))
     orbit = periodic_orbit(return_maps(lambda _: oscillator, 1e-12), 0.0, (4.0, 0.0), 2).orbit
     rate = 1.5 * 0.9
     response = 0.3 * cmath.exp(0.4j) / (1 - rate**2 + 0.2j * rate)

@@ -29,7 +29,7 @@ def test_a_period_is_a_whole_number(large_fluctuation, period):
 
 
 def test_an_orbit_must_hold_whole_periods_of_the_torque():
-    family = return_maps(lambda w: Oscillator(w, 0.1, 1.0, torque=ExternalTorque(0.1, 1.5, 0.3)))
+    family = return_maps(lambda w: Oscillator(w, 0.1, 1.0, torque=ExternalTorque(1.5, (0.1,), (0.3,))))
     assert family(1.0, 2)((1.0, 0.0)).section.shape == (3, 2)
     with pytest.raises(ValueError, match="no whole number of periods of the external torque.* 1.5 times"):
         family(1.0, 3)

@@ -11,7 +11,7 @@ from gearwear.dynamics import motion_class
 from gearwear.dynamics.motion import AUTOMATIC
 from gearwear.dynamics.oscillator import Oscillator
 from gearwear.orbits.newton import Orbit, minimal_period, periodic_orbit
-from gearwear.orbits.return_map import COARSEST, return_maps, torque_repeats
+from gearwear.orbits.return_map import COARSEST, return_maps
 
 _NEAR = 1e-3  # over b0: a section that comes closer still to a stable orbit is on its way there
 
@@ -123,12 +123,12 @@ def _orbit_near(oscillator, states, first_period, candidates, tolerance, backend
     maps = return_maps(lambda _: oscillator, min(tolerance, COARSEST), backend)
     known = None, np.nan, False
     for period in candidates:
-        if not torque_repeats(oscillator, period):
+        if not oscillator.torque.repeats_after(period):
             continue
         last = len(states) - 1 - (first_period + len(states) - 1) % period
         orbit = periodic_orbit(maps, oscillator.frequency, states[last], period).orbit
         own = minimal_period(orbit) if orbit is not None else period
-        if own < period and torque_repeats(oscillator, own):
+        if own < period and oscillator.torque.repeats_after(own):
             orbit = periodic_orbit(maps, oscillator.frequency, orbit.section[0], own).orbit
         if orbit is None:
             continue

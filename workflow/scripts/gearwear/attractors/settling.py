@@ -16,7 +16,7 @@ class Settling(NamedTuple):
     """How long to wait and what to accept; the fields are those of the section ``settling`` of the configuration.
 
     Periods are forcing periods; ``recurrence_tolerance`` is a length over b0, ``chaos_threshold`` an exponent per
-    unit of dimensionless time.
+    unit of dimensionless time; ``early_end`` as in motion.strobe.
     """
 
     transient_periods: int
@@ -25,6 +25,7 @@ class Settling(NamedTuple):
     largest_period: int
     recurrence_tolerance: float
     chaos_threshold: float
+    early_end: bool = False
 
 
 class Attractor(NamedTuple):
@@ -103,7 +104,15 @@ def settle_many(
     while waiting.size:
         own = [oscillators[p] for p in waiting]
         run = strobe_many(
-            own, states[waiting], transient - reached, reached, tolerance, tangents[waiting], GROWTH, backend
+            own,
+            states[waiting],
+            transient - reached,
+            reached,
+            tolerance,
+            tangents[waiting],
+            GROWTH,
+            backend,
+            settling.early_end,
         )
         attractors |= _lost(waiting, run.status, transient, settling.sampled_periods)
         alive = np.flatnonzero(run.status == COMPLETED)
@@ -111,7 +120,17 @@ def settle_many(
             break
         waiting, own = waiting[alive], [own[i] for i in alive]
         begins, directions = run.states[alive, -1], run.tangent[alive]
-        sample = strobe_many(own, begins, settling.sampled_periods, transient, tolerance, directions, detail, backend)
+        sample = strobe_many(
+            own,
+            begins,
+            settling.sampled_periods,
+            transient,
+            tolerance,
+            directions,
+            detail,
+            backend,
+            settling.early_end,
+        )
         attractors |= _lost(waiting, sample.status, transient, settling.sampled_periods)
         undecided = []
         for place in np.flatnonzero(sample.status == COMPLETED):

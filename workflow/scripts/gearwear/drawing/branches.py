@@ -1,4 +1,4 @@
-"""Branches of periodic orbits over a bifurcation diagram: stable solid, unstable dashed, special points marked."""
+"""Branches of periodic orbits over a bifurcation diagram: stable solid, unstable dashed, special points labelled."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import xarray as xr
+from matplotlib import patheffects
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
@@ -20,6 +21,10 @@ _MARKS = {FOLD: ("^", "fold"), PERIOD_DOUBLING: ("D", "period doubling"), TORUS:
 _MARK = {"linestyle": "none", "markersize": 2.6, "markeredgewidth": 0.5, "markerfacecolor": "white", "zorder": 3}
 _ROOM = 0.25  # of the height of the diagram, above and below it, beyond which no branch is shown
 _EDGE = 0.03  # of the height, left free beyond the outermost orbit
+_LABEL = {"rotation": 90, "fontsize": 4.5, "ha": "center", "textcoords": "offset points", "zorder": 3.5}
+_ABOVE = 2.8  # points from a mark to its label
+_WIDE, _LONG = 0.015, 0.13  # of a label, over the width and the height of the diagram
+_RIM = [patheffects.withStroke(linewidth=1.0, foreground="white")]
 
 
 def draw(axes: Axes, sweep: str, branches: xr.Dataset) -> None:
@@ -41,6 +46,36 @@ def draw(axes: Axes, sweep: str, branches: xr.Dataset) -> None:
     if drawn.size:
         edge = _EDGE * (high - low)
         axes.set_ylim(max(low - room, min(low, drawn.min() - edge)), min(high + room, max(high, drawn.max() + edge)))
+    _label(axes, values, branches["special_point"].values, section)
+
+
+def _label(axes: Axes, values: np.ndarray, special: np.ndarray, section: np.ndarray) -> None:
+    """Write the swept value beside one mark of every special point, the highest that other labels leave free."""
+    bounds, height = np.sort(axes.get_xlim()), np.ptp(axes.get_ylim())
+    low, high = axes.get_ylim()
+    taken = []
+    for node in sorted(np.flatnonzero(special != NONE), key=lambda node: values[node]):
+        seen = section[node][(section[node] >= low) & (section[node] <= high)]
+        if not seen.size or not bounds[0] <= values[node] <= bounds[1]:
+            continue
+        spots = [(y, side) for side in (1, -1) for y in sorted(seen, reverse=True)]
+        places = [(values[node] / np.ptp(bounds) / _WIDE, y / height / _LONG + side / 2) for y, side in spots]
+        inside = [abs(place[1] - (low + high) / 2 / height / _LONG) < 0.5 / _LONG - 0.5 for place in places]
+        apart = [all(max(np.abs(np.subtract(place, other))) >= 1 for other in taken) for place in places]
+        free = np.flatnonzero(np.logical_and(inside, apart))
+        if not free.size:
+            continue
+        taken.append(places[free[0]])
+        y, side = spots[free[0]]
+        axes.annotate(
+            f"{values[node]:.3f}",
+            (values[node], y),
+            (0, side * _ABOVE),
+            va="bottom" if side > 0 else "top",
+            color=_edge(special[node]),
+            path_effects=_RIM,
+            **_LABEL,
+        )
 
 
 def runs(branches: xr.Dataset) -> Iterator[tuple[np.ndarray, str]]:

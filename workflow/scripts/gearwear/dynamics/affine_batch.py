@@ -29,7 +29,7 @@ def run_many(
 
     Parameters
     ----------
-    constants, harmonics : (points, 7) and (points, harmonics, 6), rows as in Coefficients
+    constants, harmonics : (points, 5) and (points, harmonics, 8), rows as in Coefficients
     cells, places : cells of all oscillators one below the other; those of p are places[p] to places[p + 1]
     shared : (points,) True where the oscillator is that of the point before it in ``order``
     order : (points,) in which the points are dealt to the lanes; counts : from count_all

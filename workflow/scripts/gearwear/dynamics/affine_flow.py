@@ -4,8 +4,6 @@ Nearly all cells are passed in one step of a tabulated affine map; a cell that m
 cell_crossing. The branch at mesh phase 0 is that of the state there: the map of a period is a function of it alone.
 """
 
-import math
-
 import numpy as np
 
 from gearwear.dynamics.affine_table import (
@@ -26,6 +24,8 @@ from gearwear.dynamics.cell_exit import READY
 from gearwear.dynamics.cell_extremes import HIGHEST, IMPACTS, LOWEST, WORK, note_piece
 from gearwear.dynamics.cell_extremes import RECORDS as COLUMNS
 from gearwear.dynamics.compiled import borrowing, inlined, njit
+from gearwear.dynamics.early_end import fill_if_recurring
+from gearwear.dynamics.tangent import growth_of
 
 COMPLETED, BLOW_UP, TOO_MANY_STEPS = 0, 1, 2
 LARGEST_DISPLACEMENT = 1e6
@@ -44,15 +44,6 @@ def stays(side, x, v, x1, v1, half, low, high, slack_x, slack_v, slack_1):
     gap3 = low - abs(q3) if free else side * q3 - high
     gap4 = low - abs(x1) if free else side * x1 - high
     return (gap1 > 0.0) & (gap2 > slack) & (gap3 > 0.0) & (gap4 > 0.0)
-
-
-@inlined
-def growth_of(direction, p, q):
-    """Logarithm of the length of (p, q), what has become of a tangent vector of length 1; the vector is made it."""
-    square = p * p + q * q
-    share = 1.0 / math.sqrt(square)
-    direction[0], direction[1] = p * share, q * share
-    return 0.5 * math.log(square)
 
 
 @borrowing
@@ -119,15 +110,17 @@ def run_period(rows, slack, state, side, index, detail, start, work, record, sto
 
 
 @njit
-def run(rows, slack, state, direction, periods, detail, stops):
+def run(rows, slack, state, direction, first_period, periods, detail, stops, early_end):
     """Run whole periods of the oscillator of a table.
 
     Parameters
     ----------
     rows, slack : as in AffineTable
+    first_period : index of the first one, which tells the table it begins with
     state, direction : (2,) state at mesh phase 0 and tangent vector of length 1; the direction is updated in place
     detail : STATES; GROWTH of the direction; MAPS too; RECORDS too. What is not asked for is NaN
     stops : increasing numbers of cells at whose start the state is noted; the number of cells for the period's end
+    early_end : whether a motion whose state recurs is filled in, as by early_end; with one table, without stops
 
     Returns
     -------
@@ -149,7 +142,17 @@ def run(rows, slack, state, direction, periods, detail, stops):
     for i in range(periods):
         start = (1.0, 0.0, 0.0, 1.0) if detail >= MAPS else (direction[0], 0.0, direction[1], 0.0)
         a, b, c, d, last, status = run_period(
-            rows, slack, state, last, i, detail, start, work, record, stops, visits[i]
+            rows[(first_period + i) % rows.shape[0]],
+            slack,
+            state,
+            last,
+            i,
+            detail,
+            start,
+            work,
+            record,
+            stops,
+            visits[i],
         )
         if status != COMPLETED:
             visits[i] = np.nan
@@ -162,4 +165,6 @@ def run(rows, slack, state, direction, periods, detail, stops):
             maps[i, 0, 0], maps[i, 0, 1], maps[i, 1, 0], maps[i, 1, 1] = a, b, c, d
         if detail == RECORDS:
             records[i] = record[0]
+        if early_end and fill_if_recurring(i + 1, detail, direction, states, maps, growth, records):
+            break
     return states, maps, growth, records, visits, COMPLETED

@@ -13,7 +13,6 @@ from gearwear.dynamics.affine_flow import (
     BLOW_UP,
     LARGEST_DISPLACEMENT,
     TOO_MANY_STEPS,
-    growth_of,
 )
 from gearwear.dynamics.affine_table import (
     COMMON,
@@ -51,6 +50,7 @@ from gearwear.dynamics.plain_step import (
     plain_steps,
     stand_still,
 )
+from gearwear.dynamics.tangent import growth_of
 
 
 @borrowing
@@ -172,7 +172,7 @@ def run_group(
     counts : (LANES,) number of cells, 0 for a lane without a point
     plain, slack : as from pack_plain, and (3 LANES,)
     group : (LANES,) number of the point of every lane
-    early_end : whether a lane whose state recurs is filled in (states only)
+    early_end : whether a lane whose state recurs is filled in
     scratch : arrays of the sizes of new_scratch
     """
     lanes, work, record, alive, kicked = scratch
@@ -237,7 +237,7 @@ def run_group(
                 if done:
                     status[p] = BLOW_UP
                 elif early_end:
-                    done = fill_if_recurring(states[p], i + 1)
+                    done = fill_if_recurring(i + 1, detail, directions[p], states[p], maps[p], growth[p], records[p])
                 if done:
                     alive[lane] = False
                     freeze(lanes, lane, plain, longest)

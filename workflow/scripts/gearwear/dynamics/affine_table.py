@@ -1,11 +1,12 @@
-"""The forcing period of an oscillator cut into cells, with everything the affine map needs of each.
+"""The mesh period of an oscillator cut into cells, with everything the affine map needs of each.
 
 A cell holds, for free flight and for contact, the affine maps from its start to its end, from its start to its middle
 and from its middle to its end, and the series of cell_series. No cell reaches across a break of a table or a phase that
-is to be visited.
+is to be visited. A torque at another frequency that repeats after some mesh periods takes a table for each of them.
 """
 
 import math
+from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -21,7 +22,7 @@ from gearwear.dynamics.cell_series import (
     fourth_derivative_bound,
     fundamental_series,
     product_series,
-    value_at_end,
+    values_at_ends,
 )
 from gearwear.dynamics.compiled import borrowing, njit
 from gearwear.dynamics.oscillator import Coefficients, Oscillator
@@ -29,6 +30,7 @@ from gearwear.dynamics.oscillator import Coefficients, Oscillator
 LONGEST_CELL = 0.5
 LARGEST_TURN = 1.4  # of cell length times the fastest rate: degree 14 then leaves 1e-15
 MOST_CELLS = 16384
+MOST_PERIODS = 64  # after which an external torque must repeat
 
 # A cell has three rows: free flight, contact and what both share. Columns of the shared row; from END_CLEARANCE on
 # four: b and db/dt at the start and at the end of the cell.
@@ -41,9 +43,9 @@ STEP, INTO, OUT, BEND, WAVES = 0, 8, 16, 24, 32
 
 
 class AffineTable(NamedTuple):
-    """Cells of one forcing period.
+    """Cells of the mesh periods after which all forcing repeats.
 
-    rows : (cells, 3, WIDTH)
+    rows : (mesh periods, cells, 3, WIDTH)
     slack : (3,) bound of the quartic remainder over any cell, over |x|, |v| and 1 at its start
     """
 
@@ -58,20 +60,25 @@ def arrays(oscillator: Oscillator) -> Coefficients:
 
 
 def applies_to(oscillator: Oscillator) -> bool:
-    """Whether the oscillator repeats with the mesh and its period has a sensible number of cells."""
-    return not oscillator.has_second_frequency and cell_counts(*arrays(oscillator)).sum() <= MOST_CELLS
+    """Whether the oscillator repeats after some mesh periods, with a sensible number of cells."""
+    periods = oscillator.torque.mesh_periods(MOST_PERIODS)
+    return periods > 0 and periods * cell_counts(*arrays(oscillator)).sum() <= MOST_CELLS
 
 
 @lru_cache(maxsize=8)
 def affine_table(oscillator: Oscillator, phases: tuple[float, ...] = ()) -> AffineTable:
     """Table of an oscillator, with cell edges at the mesh phases given (increasing, within [0, 1])."""
-    coefficients = arrays(oscillator)
-    if phases:
-        coefficients = coefficients._replace(cells=cut_cells(coefficients.cells, phases, oscillator.period))
-    counts = cell_counts(*coefficients)
-    rows, slack = np.zeros((counts.sum(), 3, WIDTH)), np.zeros(3)
-    fill_table(*coefficients, counts, np.empty(2 * TERMS), rows, slack)
-    return AffineTable(rows, slack)
+    torque, tables, slack = oscillator.torque, [], np.zeros(3)
+    for period in range(torque.mesh_periods(MOST_PERIODS)):
+        coefficients = arrays(replace(oscillator, torque=torque.seen_from(period * torque.frequency_ratio)))
+        if phases:
+            coefficients = coefficients._replace(cells=cut_cells(coefficients.cells, phases, oscillator.period))
+        counts = cell_counts(*coefficients)
+        rows, own = np.zeros((counts.sum(), 3, WIDTH)), np.zeros(3)
+        fill_table(*coefficients, counts, np.empty(2 * TERMS), rows, own)
+        tables.append(rows)
+        slack = np.maximum(slack, own)
+    return AffineTable(np.array(tables), slack)
 
 
 def cut_cells(cells: np.ndarray, phases, period: float) -> np.ndarray:
@@ -88,17 +95,17 @@ def cut_cells(cells: np.ndarray, phases, period: float) -> np.ndarray:
 @njit
 def cell_counts(constants, harmonics, cells):
     """(n,) number of equal parts of each cell of Coefficients; so short that fourteen powers suffice."""
-    frequency, friction, amplitude, ratio = constants[0], constants[1], constants[4], constants[5]
+    frequency, friction, ratio = constants[0], constants[1], constants[4]
     stiffest, fluctuation, fastest = 0.0, 0.0, 0.0
     for n in range(cells.shape[0]):
         end = cells[n, 2] + cells[n, 3] * (cells[n, 1] - cells[n, 0]) * 2.0 * math.pi / frequency
         stiffest = max(stiffest, max(cells[n, 2], end))
     for j in range(harmonics.shape[0]):
         fluctuation += math.hypot(harmonics[j, 0], harmonics[j, 1])
-        if np.any(harmonics[j] != 0.0):
-            fastest = (j + 1) * frequency
-    if amplitude != 0.0:
-        fastest = max(fastest, abs(ratio) * frequency)
+        if np.any(harmonics[j, :6] != 0.0):
+            fastest = max(fastest, (j + 1) * frequency)
+        if np.any(harmonics[j, 6:] != 0.0):
+            fastest = max(fastest, (j + 1) * ratio * frequency)
     rate = fastest + math.sqrt(stiffest + fluctuation) + friction
     longest = min(LONGEST_CELL, LARGEST_TURN / rate)
     counts = np.empty(cells.shape[0], np.int64)
@@ -145,14 +152,14 @@ def fill_table(constants, harmonics, cells, counts, scratch, rows, slack):
                 contact, b = place == CONTACT, row[CLEARANCE]
                 fundamental_series(waves, contact, half, constants[1], stiffness, force, shift, b, steady)
                 finish_maps(branch, row[RATE], row[CLEARANCE_BEND], slack)
-            row[FORCE_START] = value_at_end(force, 0, -1.0)[0]
+            row[FORCE_START] = values_at_ends(force, 0)[0]
             r += 1
 
 
 @borrowing
 def load_series(constants, harmonics, middle, half, row, force):
     """Add the fluctuations of stiffness, force and clearance to their series about a mesh phase."""
-    frequency, amplitude, ratio, shift = constants[0], constants[4], constants[5], constants[6]
+    frequency, ratio = constants[0], constants[4]
     for j in range(harmonics.shape[0]):
         angle, turn = 2.0 * math.pi * (((j + 1) * middle) % 1.0), (j + 1) * frequency * half
         if harmonics[j, 0] != 0.0 or harmonics[j, 1] != 0.0:
@@ -161,17 +168,16 @@ def load_series(constants, harmonics, middle, half, row, force):
             add_wave(force, 0, harmonics[j, 2], harmonics[j, 3], angle, turn)
         if harmonics[j, 4] != 0.0 or harmonics[j, 5] != 0.0:
             add_wave(row, CLEARANCE, harmonics[j, 4], harmonics[j, 5], angle, turn)
-    if amplitude != 0.0:
-        angle = 2.0 * math.pi * ((ratio * middle) % 1.0) + shift
-        add_wave(force, 0, amplitude, 0.0, angle, ratio * frequency * half)
+        if harmonics[j, 6] != 0.0 or harmonics[j, 7] != 0.0:
+            angle = 2.0 * math.pi * (((j + 1) * ratio * middle) % 1.0)
+            add_wave(force, 0, harmonics[j, 6], harmonics[j, 7], angle, ratio * turn)
 
 
 @borrowing
 def finish_clearance(row):
     """Ends, bounds and curvature of the clearance, and a bound of the stiffness, from their series."""
     rate = row[RATE]
-    b0, d0 = value_at_end(row, CLEARANCE, -1.0)
-    b1, d1 = value_at_end(row, CLEARANCE, 1.0)
+    b0, d0, b1, d1 = values_at_ends(row, CLEARANCE)
     row[END_CLEARANCE], row[END_CLEARANCE + 1] = b0, d0 * rate
     row[END_CLEARANCE + 2], row[END_CLEARANCE + 3] = b1, d1 * rate
     bend = fourth_derivative_bound(row, CLEARANCE) / 9.0
@@ -192,20 +198,18 @@ def finish_maps(row, rate, clearance_bend, slack):
 
     A map takes (x, v) to (m0 x + m1 v + m4 + side m6, m2 x + m3 v + m5 + side m7).
     """
-    p0, p1 = value_at_end(row, WAVES + P * TERMS, -1.0)
-    q0, q1 = value_at_end(row, WAVES + Q * TERMS, -1.0)
-    f0, f1 = value_at_end(row, WAVES + R_FORCE * TERMS, -1.0)
-    b0, b1 = value_at_end(row, WAVES + R_CLEARANCE * TERMS, -1.0)
+    p0, p1, p2, p3 = values_at_ends(row, WAVES + P * TERMS)
+    q0, q1, q2, q3 = values_at_ends(row, WAVES + Q * TERMS)
+    f0, f1, f2, f3 = values_at_ends(row, WAVES + R_FORCE * TERMS)
+    b0, b1, b2, b3 = values_at_ends(row, WAVES + R_CLEARANCE * TERMS)
+    row[OUT], row[OUT + 1], row[OUT + 2], row[OUT + 3] = p2, q2, p3 * rate, q3 * rate
+    row[OUT + 4], row[OUT + 5], row[OUT + 6], row[OUT + 7] = f2, f3 * rate, b2, b3 * rate
     p1, q1, f1, b1 = p1 * rate, q1 * rate, f1 * rate, b1 * rate
     wronskian = p0 * q1 - p1 * q0
     row[INTO], row[INTO + 1] = q1 / wronskian, -q0 / wronskian
     row[INTO + 2], row[INTO + 3] = -p1 / wronskian, p0 / wronskian
     row[INTO + 4], row[INTO + 5] = (q0 * f1 - q1 * f0) / wronskian, (p1 * f0 - p0 * f1) / wronskian
     row[INTO + 6], row[INTO + 7] = (q0 * b1 - q1 * b0) / wronskian, (p1 * b0 - p0 * b1) / wronskian
-    for column, wave in ((0, P), (1, Q), (4, R_FORCE), (6, R_CLEARANCE)):
-        below = column + 2 if column < 2 else column + 1
-        value, slope = value_at_end(row, WAVES + wave * TERMS, 1.0)
-        row[OUT + column], row[OUT + below] = value, slope * rate
     for line in (0, 2):
         p, q, extra = row[OUT + line], row[OUT + line + 1], line // 2
         row[STEP + line] = p * row[INTO] + q * row[INTO + 2]

@@ -22,7 +22,7 @@ from gearwear.dynamics.affine_table import (
 )
 from gearwear.dynamics.cell_exit import READY, clearance_at, first_exit
 from gearwear.dynamics.cell_extremes import IMPACTS, note_piece
-from gearwear.dynamics.cell_series import DEGREE, R_CLEARANCE, R_FORCE, TERMS, P, Q
+from gearwear.dynamics.cell_series import R_CLEARANCE, R_FORCE, TERMS, P, Q
 from gearwear.dynamics.compiled import borrowing, inlined
 
 STATES, GROWTH, MAPS, RECORDS = range(4)
@@ -41,13 +41,25 @@ def affine(branch, start, side, x, v):
 
 @inlined
 def series_and_slope(branch, wave, rate, s):
-    """One of P, Q, R_F, R_b of a branch at s, and its derivative by time."""
-    start = WAVES + wave * TERMS
-    value, slope, power = branch[start], 0.0, 1.0
-    for j in range(1, DEGREE + 1):
-        slope += branch[start + j] * (j * power)
-        power *= s
-        value += branch[start + j] * power
+    """One of P, Q, R_F, R_b of a branch at s, and its derivative by time; four interleaved Horner schemes in s^4."""
+    c = WAVES + wave * TERMS
+    square = s * s
+    f = square * square
+    a0, b0, c0, d0 = branch[c + 12], branch[c + 13], branch[c + 14], branch[c + 15]
+    a, da = a0 * f + branch[c + 8], a0
+    b, db = b0 * f + branch[c + 9], b0
+    g, dg = c0 * f + branch[c + 10], c0
+    h, dh = d0 * f + branch[c + 11], d0
+    da, a = da * f + a, a * f + branch[c + 4]
+    db, b = db * f + b, b * f + branch[c + 5]
+    dg, g = dg * f + g, g * f + branch[c + 6]
+    dh, h = dh * f + h, h * f + branch[c + 7]
+    da, a = da * f + a, a * f + branch[c]
+    db, b = db * f + b, b * f + branch[c + 1]
+    dg, g = dg * f + g, g * f + branch[c + 2]
+    dh, h = dh * f + h, h * f + branch[c + 3]
+    value = (a + s * b) + square * (g + s * h)
+    slope = (b + s * (2.0 * g)) + square * (3.0 * h) + 4.0 * (square * s) * ((da + s * db) + square * (dg + s * dh))
     return value, slope * rate
 
 

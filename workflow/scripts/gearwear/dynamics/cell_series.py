@@ -82,16 +82,15 @@ def product_series(first, second, result):
 
 
 @borrowing
-def value_at_end(series, start, sign):
-    """Sum of a series at s = sign (-1 or 1), and of its slope; the smallest terms first."""
-    value, slope = 0.0, 0.0
-    for n in range(DEGREE, -1, -1):
-        term = series[start + n]
-        if n % 2 == 1:
-            term *= sign
-        value += term
-        slope += sign * n * term
-    return value, slope
+def values_at_ends(series, start):
+    """Sum of a series and of its slope at s = -1, then at s = 1; the smallest terms first."""
+    even, odd, even_slope, odd_slope = 0.0, 0.0, 0.0, 0.0
+    for n in range(DEGREE, -1, -2):
+        even += series[start + n]
+        odd_slope += n * series[start + n]
+        odd += series[start + n + 1]
+        even_slope += (n + 1) * series[start + n + 1]
+    return even - odd, even_slope - odd_slope, even + odd, even_slope + odd_slope
 
 
 @borrowing

@@ -8,7 +8,17 @@ import math
 
 from gearwear.dynamics.compiled import njit
 
-FRICTION = 9  # place of 2 zeta in the tuple of a cell
+FRICTION = 8  # place of 2 zeta in the tuple of a cell
+
+
+@njit(inline="always")
+def torque_at(harmonics, angle):
+    """External torque at a phase of its first harmonic."""
+    torque = 0.0
+    for j in range(harmonics.shape[0]):
+        if harmonics[j, 6] != 0.0 or harmonics[j, 7] != 0.0:
+            torque += harmonics[j, 6] * math.cos((j + 1) * angle) + harmonics[j, 7] * math.sin((j + 1) * angle)
+    return torque
 
 
 @njit(inline="always")
@@ -16,10 +26,10 @@ def load(cell, harmonics, branch, t):
     """K and G on a branch (-1, 0, 1) at the time t, counted from the start of the period.
 
     ``cell`` is the tuple (frequency, stiffness at the start of the cell, its slope, time of that start, mean
-    force, mean clearance, amplitude, frequency and phase of the external torque, c = 2 zeta); ``harmonics`` has the
-    cosine and sine coefficients of stiffness, force and clearance in one row per harmonic.
+    force, mean clearance, frequency of the external torque and its phase at t = 0, c = 2 zeta); ``harmonics`` has the
+    cosine and sine coefficients of stiffness, force, clearance and torque in one row per harmonic.
     """
-    frequency, stiffness, slope, start, force, clearance, amplitude, torque_frequency, torque_phase, _ = cell
+    frequency, stiffness, slope, start, force, clearance, torque_frequency, torque_phase, _ = cell
     stiffness += slope * (t - start)
     if harmonics.shape[0] > 0:
         c1, s1 = math.cos(frequency * t), math.sin(frequency * t)
@@ -29,8 +39,7 @@ def load(cell, harmonics, branch, t):
             force += harmonics[j, 2] * c + harmonics[j, 3] * s
             clearance += harmonics[j, 4] * c + harmonics[j, 5] * s
             c, s = c * c1 - s * s1, s * c1 + c * s1
-    if amplitude != 0.0:
-        force += amplitude * math.cos(torque_frequency * t + torque_phase)
+    force += torque_at(harmonics, torque_frequency * t + torque_phase)
     if branch == 0:
         return 0.0, force
     return stiffness, force + stiffness * branch * clearance
@@ -39,7 +48,7 @@ def load(cell, harmonics, branch, t):
 @njit
 def full_load(cell, harmonics, branch, t):
     """As load, and the rest: (K, G, clearance b, dk/dt, db/dt, d2b/dt2)."""
-    frequency, stiffness, slope, start, force, clearance, amplitude, torque_frequency, torque_phase, _ = cell
+    frequency, stiffness, slope, start, force, clearance, torque_frequency, torque_phase, _ = cell
     stiffness += slope * (t - start)
     stiffness_rate, clearance_rate, clearance_curvature = slope, 0.0, 0.0
     if harmonics.shape[0] > 0:
@@ -55,8 +64,7 @@ def full_load(cell, harmonics, branch, t):
             clearance_rate += w * (harmonics[j, 5] * c - harmonics[j, 4] * s)
             clearance_curvature -= w * w * wave
             c, s = c * c1 - s * s1, s * c1 + c * s1
-    if amplitude != 0.0:
-        force += amplitude * math.cos(torque_frequency * t + torque_phase)
+    force += torque_at(harmonics, torque_frequency * t + torque_phase)
     if branch == 0:
         stiffness = 0.0
     force += stiffness * branch * clearance

@@ -60,8 +60,8 @@ class Excitation(NamedTuple):
             stiffness=self.stiffness,
             error=self.shape.scaled(amplitude),
             clearance=self.clearance,
-            torque=ExternalTorque(
-                torque["amplitude"] * self.force_parameter, torque["frequency_ratio"], torque["phase"]
+            torque=ExternalTorque(torque["frequency_ratio"], torque["amplitudes"], torque["phases"]).scaled(
+                self.force_parameter
             ),
         )
 

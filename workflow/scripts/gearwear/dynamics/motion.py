@@ -1,7 +1,7 @@
 """Motion of an oscillator over whole forcing periods: the one interface between analyses and integrators.
 
-An oscillator that repeats with the mesh is carried by the tabulated affine map (affine_flow), to round-off. With a
-torque at another frequency it is integrated by Dormand-Prince (period_flow), to the tolerance.
+An oscillator that repeats after some mesh periods is carried by the tabulated affine map (affine_flow), to round-off.
+With a torque that does not it is integrated by Dormand-Prince (period_flow), to the tolerance.
 
 Mesh phase 0 begins a period; the state there is the one after the jump a tabulated transmission error may have.
 A motion that cannot be carried on is reported by a status, never by an exception, and the rest of it is NaN.
@@ -58,6 +58,7 @@ def strobe(
     tangent=(1.0, 0.0),
     detail: int = RECORDS,
     backend: str = AUTOMATIC,
+    early_end: bool = False,
 ) -> Strobe:
     """Run whole forcing periods from a state at mesh phase 0.
 
@@ -71,6 +72,8 @@ def strobe(
     tangent : (2,) tangent vector whose growth is measured, any length but 0
     detail : STATES, GROWTH, MAPS or RECORDS; each holds the ones before it and takes longer, the states are the same
     backend : AUTOMATIC, or GENERAL for Dormand-Prince in any case
+    early_end : stop as soon as the state recurs to the last bit, and fill in the rest in less time: the same states,
+        and all else the same but for the round-off of GROWTH alone. Not with a torque at another frequency
 
     Raises
     ------
@@ -81,7 +84,8 @@ def strobe(
     check_request(tangent, periods, first_period, tolerance, detail, backend)
     if backend == GENERAL or not affine_table.applies_to(oscillator):
         return _general(oscillator, state, periods, first_period, tolerance, tangent, (), detail)[0]
-    return _affine(oscillator, state, periods, tangent / np.hypot(*tangent), (), detail)[0]
+    tangent = tangent / np.hypot(*tangent)
+    return _affine(oscillator, state, periods, first_period, tangent, (), detail, early_end)[0]
 
 
 def trace(
@@ -105,7 +109,7 @@ def trace(
     if backend == GENERAL or not affine_table.applies_to(oscillator):
         visits = _general(oscillator, state, periods, first_period, tolerance, tangent, phases, STATES)[1]
     else:
-        visits = _affine(oscillator, state, periods, tangent, tuple(phases.tolist()), STATES)[1]
+        visits = _affine(oscillator, state, periods, first_period, tangent, tuple(phases.tolist()), STATES)[1]
     return visits[:, :, 0], visits[:, :, 1]
 
 
@@ -148,10 +152,18 @@ def check_request(tangent, periods, first_period, tolerance, detail, backend) ->
         raise ValueError(f"backend: {backend!r} must be {AUTOMATIC!r} or {GENERAL!r}")
 
 
-def _affine(oscillator, state, periods, tangent, phases, detail):
+def stored(detail: int, early_end: bool) -> int:
+    """Detail to run with: an early end carries the tangent vector on through the maps."""
+    return MAPS if early_end and detail == GROWTH else detail
+
+
+def _affine(oscillator, state, periods, first_period, tangent, phases, detail, early_end=False):
     rows, slack = affine_table.affine_table(oscillator, phases)
-    stops = np.searchsorted(rows[:, affine_table.COMMON, affine_table.START], phases)
-    run = affine_flow.run(rows, slack, state, tangent, int(periods), detail, stops.astype(np.int64))
+    stops = np.searchsorted(rows[0, :, affine_table.COMMON, affine_table.START], phases).astype(np.int64)
+    counts = int(first_period), int(periods)
+    run = affine_flow.run(
+        rows, slack, state, tangent, *counts, stored(detail, early_end), stops, early_end and len(rows) == 1
+    )
     states, maps, growth, records, visits, status = run
     return collected(oscillator.period, states, maps, growth, records, tangent, status, detail), visits
 

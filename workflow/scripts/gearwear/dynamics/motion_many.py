@@ -3,7 +3,7 @@
 import numpy as np
 
 from gearwear.dynamics.affine_batch import count_all, run_many
-from gearwear.dynamics.motion import AUTOMATIC, GENERAL, RECORDS, STATES, Strobe, check_request, collected, strobe
+from gearwear.dynamics.motion import AUTOMATIC, GENERAL, RECORDS, Strobe, check_request, collected, stored, strobe
 from gearwear.dynamics.oscillator import Oscillator
 from gearwear.dynamics.periodic import Harmonics
 
@@ -31,8 +31,7 @@ def strobe_many(
     states : (points, 2) or (2,) displacement and velocity
     tangent : (points, 2) or (2,)
     periods, first_period, tolerance, detail, backend : as in motion.strobe
-    early_end : stop a point as soon as its state recurs to the last bit, and fill in the rest: the same states in
-        less time; for the detail STATES
+    early_end : as in motion.strobe
 
     Returns
     -------
@@ -42,12 +41,10 @@ def strobe_many(
     Raises
     ------
     ValueError
-        As motion.strobe; for an early end with more detail than STATES.
+        As motion.strobe.
     """
     points = len(oscillators)
     starts, directions = _pairs(states, points, "state"), _pairs(tangent, points, "tangent")
-    if early_end and detail != STATES:
-        raise ValueError(f"early_end: fills in states only; ask for the detail STATES, {STATES}, not {detail}")
     if points == 0:
         raise ValueError("oscillators: the list is empty; give at least one")
     for direction in directions if np.ndim(tangent) > 1 else directions[:1]:
@@ -69,7 +66,7 @@ def strobe_many(
         parts.append((together, _run(chosen, stacked, counts, starts[together], unit, periods, detail, early_end)))
     for p in np.flatnonzero(single):
         run = strobe(
-            oscillators[p], starts[p], periods, first_period, tolerance, directions[p], detail=detail, backend=backend
+            oscillators[p], starts[p], periods, first_period, tolerance, directions[p], detail, backend, early_end
         )
         parts.append((np.array([p]), Strobe(*(value if value is None else np.array([value]) for value in run))))
     return _merged(parts, points)
@@ -92,8 +89,9 @@ def _merged(parts, points: int) -> Strobe:
 def _run(oscillators, stacked, counts, starts, directions, periods, detail, early_end):
     order = np.argsort(counts, kind="stable")
     shared = [False] + [oscillators[a] is oscillators[b] for a, b in zip(order[1:], order[:-1], strict=True)]
+    run_with = stored(detail, early_end)
     states, maps, growth, records, status = run_many(
-        *stacked, np.array(shared), order, counts, starts, directions, int(periods), detail, early_end
+        *stacked, np.array(shared), order, counts, starts, directions, int(periods), run_with, early_end
     )
     period = 2 * np.pi / stacked[0][:, :1]
     return collected(period, states, maps, growth, records, directions, status, detail)
@@ -105,7 +103,7 @@ def _stack(oscillators):
         return _stack_of_harmonics(oscillators)
     parts = [oscillator.coefficients for oscillator in oscillators]
     rows = max(part.harmonics.shape[0] for part in parts)
-    harmonics = np.zeros((len(parts), rows, 6))
+    harmonics = np.zeros((len(parts), rows, 8))
     for p, part in enumerate(parts):
         harmonics[p, : part.harmonics.shape[0]] = part.harmonics
     places = np.cumsum([0] + [len(part.cells) for part in parts])
@@ -116,24 +114,34 @@ def _stack(oscillators):
 def _stack_of_harmonics(oscillators):
     """The same for oscillators without tables, in a tenth of the time."""
     points = len(oscillators)
-    waves = [(o.stiffness, o.error, o.clearance) for o in oscillators]
-    rows = max(len(wave.amplitudes) for three in waves for wave in three)
-    padding = (0.0,) * rows
-    amplitudes = np.array([[(w.amplitudes + padding)[:rows] for w in three] for three in waves]).reshape(
-        points, 3, rows
-    )
-    phases = np.array([[(w.phases + padding)[:rows] for w in three] for three in waves]).reshape(points, 3, rows)
     constants = np.array(
-        [(o.frequency, 2 * o.damping_ratio, o.mean_force, o.clearance.mean, *o.torque) for o in oscillators]
+        [
+            (o.frequency, 2 * o.damping_ratio, o.mean_force, o.clearance.mean, o.torque.frequency_ratio)
+            for o in oscillators
+        ]
     )
-    scale = np.ones((points, 3, rows))
-    scale[:, 1] = (np.arange(1, rows + 1) * constants[:, :1]) ** 2
-    harmonics = np.empty((points, rows, 6))
-    harmonics[:, :, 0::2] = (scale * (amplitudes * np.cos(phases))).transpose(0, 2, 1)
-    harmonics[:, :, 1::2] = (-scale * (amplitudes * np.sin(phases))).transpose(0, 2, 1)
+    kinds = [[getattr(o, name) for o in oscillators] for name in ("stiffness", "error", "clearance", "torque")]
+    rows = max(len(wave.amplitudes) for waves in kinds for wave in waves)
+    harmonics = np.empty((points, rows, 8))
+    for column, waves in enumerate(kinds):
+        harmonics[:, :, 2 * column : 2 * column + 2] = _cosines_and_sines(waves, rows)
+    harmonics[:, :, 2:4] *= ((np.arange(1, rows + 1) * constants[:, :1]) ** 2)[:, :, None]
     cells = np.zeros((points, 6))
     cells[:, 1], cells[:, 2] = 1.0, [o.stiffness.mean for o in oscillators]
     return constants, harmonics, cells, np.arange(points + 1)
+
+
+def _cosines_and_sines(waves, rows: int) -> np.ndarray:
+    """(points, rows, 2) coefficients of one wave a point; what many points share is worked out once."""
+    distinct = {id(wave): wave for wave in waves}
+    place = {identity: number for number, identity in enumerate(distinct)}
+    padding = (0.0,) * rows
+    amplitudes, phases = (
+        np.array([(getattr(wave, name) + padding)[:rows] for wave in distinct.values()]).reshape(-1, rows)
+        for name in ("amplitudes", "phases")
+    )
+    table = np.stack([amplitudes * np.cos(phases), -(amplitudes * np.sin(phases))], axis=-1)
+    return table[[place[id(wave)] for wave in waves]]
 
 
 def _pairs(values, points: int, name: str) -> np.ndarray:

@@ -9,19 +9,67 @@ import numpy as np
 from gearwear.dynamics.periodic import Harmonics, PeriodicTable, finite_floats
 
 
-class ExternalTorque(NamedTuple):
-    """Fluctuation amplitude cos(ratio w t + phase) of the external torque, as a dimensionless force."""
+@dataclass(frozen=True)
+class ExternalTorque:
+    """Fluctuation of the external torque as a dimensionless force: a sum of harmonics of a frequency of its own.
 
-    amplitude: float = 0.0
+        sum over j = 1, 2, ... of amplitudes[j-1] cos(j rho w t + phases[j-1])
+
+    Parameters
+    ----------
+    frequency_ratio : float
+        rho, the frequency of the first harmonic over that of the mesh, w.
+    amplitudes, phases : sequences of equal length
+        Amplitude and phase (rad) of the harmonics 1, 2, ...
+
+    Raises
+    ------
+    ValueError
+        For a number that is not finite, a ratio that is not positive, or lists of unequal length.
+    """
+
     frequency_ratio: float = 1.0
-    phase: float = 0.0
+    amplitudes: tuple[float, ...] = ()
+    phases: tuple[float, ...] = ()
+
+    def __post_init__(self):
+        ratio = finite_floats((self.frequency_ratio,), "external torque")[0]
+        if ratio <= 0.0:
+            raise ValueError(f"external torque: frequency_ratio {ratio} (of the mesh frequency) must be above 0")
+        object.__setattr__(self, "frequency_ratio", ratio)
+        for name in ("amplitudes", "phases"):
+            object.__setattr__(self, name, finite_floats(getattr(self, name), f"external torque {name}"))
+        if len(self.amplitudes) != len(self.phases):
+            raise ValueError(
+                f"external torque: {len(self.amplitudes)} amplitudes but {len(self.phases)} phases; give one phase "
+                "(rad) for every amplitude"
+            )
+
+    def repeats_after(self, periods: int) -> bool:
+        """Whether every harmonic goes through whole turns in this many mesh periods."""
+        turns = [order * self.frequency_ratio * periods for order, a in enumerate(self.amplitudes, start=1) if a]
+        return all(float(number).is_integer() for number in turns)
+
+    def mesh_periods(self, most: int) -> int:
+        """Least number of mesh periods after which it repeats, 0 if that is more than `most`."""
+        return next((periods for periods in range(1, most + 1) if self.repeats_after(periods)), 0)
+
+    def seen_from(self, turns: float) -> "ExternalTorque":
+        """The same function of time with its zero moved on by this many turns of the first harmonic."""
+        shifts = 2 * np.pi * turns * np.arange(1, len(self.phases) + 1)
+        return replace(self, phases=tuple(np.add(self.phases, shifts)))
+
+    def scaled(self, factor: float) -> "ExternalTorque":
+        """All amplitudes multiplied by a factor."""
+        return replace(self, amplitudes=tuple(factor * a for a in self.amplitudes))
 
 
 class Coefficients(NamedTuple):
     """What the compiled kernels read: one oscillator, written out in time t over one forcing period.
 
-    constants : (frequency, 2 zeta, mean force, mean clearance, torque amplitude, frequency ratio and phase)
-    harmonics : one row per harmonic of w, the cosine and sine coefficients of stiffness, force and clearance
+    constants : (frequency, 2 zeta, mean force, mean clearance, frequency ratio rho of the torque)
+    harmonics : one row per harmonic, the cosine and sine coefficients of stiffness, force and clearance, harmonics of
+        w, and of the torque, harmonics of rho w
     cells : one row per cell, its start and end (mesh phase), stiffness at the start, slope of the stiffness
         (per unit of t), and the jumps of displacement and velocity at its end
     """
@@ -35,7 +83,7 @@ class Coefficients(NamedTuple):
 class Oscillator:
     """Single-degree-of-freedom model of a spur gear pair (Kahraman and Singh, 1990, dimensionless form).
 
-        X'' + 2 zeta X' + k(tau) f(X; b(tau)) = F - e'' + A cos(rho w t + psi),    tau = frac(w t / 2 pi)
+        X'' + 2 zeta X' + k(tau) f(X; b(tau)) = F - e'' + T(rho w t),    tau = frac(w t / 2 pi)
         f(X; b) = X - b (X > b),  0 (|X| <= b),  X + b (X < -b)
 
     Parameters
@@ -70,12 +118,11 @@ class Oscillator:
     def __post_init__(self):
         for name in ("frequency", "damping_ratio", "mean_force"):
             object.__setattr__(self, name, finite_floats((getattr(self, name),), name)[0])
-        object.__setattr__(self, "torque", ExternalTorque(*finite_floats(self.torque, "external torque")))
         for name in ("frequency", "damping_ratio"):
             if getattr(self, name) <= 0.0:
                 raise ValueError(f"{name}: {getattr(self, name)} (dimensionless) must be above 0")
         for name in ("stiffness", "clearance"):
-            least = getattr(self, name).minimum()
+            least = getattr(self, name).minimum
             if least <= 0.0:
                 raise ValueError(
                     f"{name}: least value over the mesh period {least:.6g} (dimensionless) must be above 0; "
@@ -92,8 +139,8 @@ class Oscillator:
 
     @property
     def has_second_frequency(self) -> bool:
-        """True if the external torque fluctuates at another frequency than a harmonic of the mesh."""
-        return self.torque.amplitude != 0.0 and not float(self.torque.frequency_ratio).is_integer()
+        """True if the external torque fluctuates at another frequency than harmonics of the mesh."""
+        return not self.torque.repeats_after(1)
 
     def at_frequency(self, frequency: float) -> "Oscillator":
         """The same oscillator forced at another frequency."""
@@ -101,13 +148,12 @@ class Oscillator:
 
     def seen_from(self, phase: float) -> "Oscillator":
         """The same oscillator in a time that begins at a mesh phase (0 to 1) of the period before period 0."""
-        torque = self.torque
         return replace(
             self,
             stiffness=self.stiffness.seen_from(phase),
             error=self.error.seen_from(phase),
             clearance=self.clearance.seen_from(phase),
-            torque=torque._replace(phase=torque.phase - 2 * np.pi * torque.frequency_ratio * (1.0 - phase)),
+            torque=self.torque.seen_from(-self.torque.frequency_ratio * (1.0 - phase)),
         )
 
     def with_error_scaled(self, factor: float) -> "Oscillator":
@@ -127,7 +173,7 @@ class Oscillator:
             mean_force=self.mean_force / unit,
             error=self.error.scaled(1 / unit),
             clearance=self.clearance.scaled(1 / unit),
-            torque=self.torque._replace(amplitude=self.torque.amplitude / unit),
+            torque=self.torque.scaled(1 / unit),
         )
 
     @cached_property
@@ -147,15 +193,16 @@ class Oscillator:
             kicks, error_waves = self._kicks(self.error), Harmonics()
         else:
             kicks, error_waves = np.zeros((cells, 2)), self.error
-        waves = (stiffness_waves, error_waves, self.clearance)
-        harmonics = np.zeros((max(len(wave.amplitudes) for wave in waves), 6))
+        waves = (stiffness_waves, error_waves, self.clearance, self.torque)
+        harmonics = np.zeros((max(len(wave.amplitudes) for wave in waves), 8))
         for column, wave in enumerate(waves):
             count = len(wave.amplitudes)
             order = np.arange(1, count + 1)
             scale = (order * self.frequency) ** 2 if wave is error_waves else 1.0
             harmonics[:count, 2 * column] = scale * np.multiply(wave.amplitudes, np.cos(wave.phases))
             harmonics[:count, 2 * column + 1] = -scale * np.multiply(wave.amplitudes, np.sin(wave.phases))
-        constants = (self.frequency, 2 * self.damping_ratio, self.mean_force, self.clearance.mean, *self.torque)
+        ratio = self.torque.frequency_ratio
+        constants = (self.frequency, 2 * self.damping_ratio, self.mean_force, self.clearance.mean, ratio)
         return Coefficients(constants, harmonics, np.column_stack([breaks[:-1], breaks[1:], level, slope, kicks]))
 
     def _kicks(self, table: PeriodicTable) -> np.ndarray:

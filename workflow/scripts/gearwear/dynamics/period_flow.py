@@ -134,7 +134,7 @@ def run(constants, harmonics, cells, state, direction, first_period, periods, to
     visits : (periods, phases, 2)
     status : COMPLETED, BLOW_UP or TOO_MANY_STEPS; what was not reached is NaN
     """
-    frequency, friction, mean_force, clearance, amplitude, ratio, shift = constants
+    frequency, friction, mean_force, clearance, ratio = constants
     period = 2.0 * math.pi / frequency
     states = np.full((periods + 1, 2), np.nan)
     maps = np.full((periods, 2, 2), np.nan)
@@ -149,7 +149,7 @@ def run(constants, harmonics, cells, state, direction, first_period, periods, to
         y[2], y[3], y[4], y[5] = 1.0, 0.0, 0.0, 1.0
         record[LOWEST], record[HIGHEST] = y[0], y[0]
         record[FORCE:] = 0.0
-        torque_phase = shift + 2.0 * math.pi * (((ratio % 1.0) * (first_period + i)) % 1.0)
+        torque_phase = 2.0 * math.pi * (((ratio % 1.0) * (first_period + i)) % 1.0)
         h = 4.0 * tolerance**0.2
         noted = 0
         for n in range(cells.shape[0]):
@@ -162,7 +162,6 @@ def run(constants, harmonics, cells, state, direction, first_period, periods, to
                 t,
                 mean_force,
                 clearance,
-                amplitude,
                 ratio * frequency,
                 torque_phase,
                 friction,

@@ -1,6 +1,7 @@
 """Functions of the mesh phase: sums of harmonics, and piecewise linear tables with jumps."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -59,10 +60,11 @@ class Harmonics:
         """Jump of the function at mesh phases: none."""
         return np.zeros(np.shape(phase))
 
+    @cached_property
     def minimum(self) -> float:
         """Least value over the period: the lowest of 64 samples per shortest wave, polished by Newton steps."""
-        if not any(self.amplitudes):
-            return self.mean
+        if not any(self.amplitudes[1:]):
+            return self.mean - sum(map(abs, self.amplitudes))
         count = 64 * len(self.amplitudes)
         phase = np.arange(count) / count
         values = self.at(phase)
@@ -138,6 +140,7 @@ class PeriodicTable:
         """Slope in every cell, per mesh period."""
         return (np.array(self.end) - np.array(self.start)) / np.diff(self.breaks)
 
+    @cached_property
     def minimum(self) -> float:
         """Least value over the period."""
         return min(self.start + self.end)

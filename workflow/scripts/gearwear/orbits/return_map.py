@@ -34,12 +34,6 @@ ReturnMap = Callable[[np.ndarray], Passage]
 Family = Callable[[float, int], ReturnMap]
 
 
-def torque_repeats(oscillator: Oscillator, period: int) -> bool:
-    """Whether the external torque repeats after this many mesh periods."""
-    turns = oscillator.torque.frequency_ratio * period
-    return not oscillator.has_second_frequency or float(turns).is_integer()
-
-
 def return_maps(
     oscillator_at: Callable[[float], Oscillator], tolerance: float = 1e-10, backend: str = AUTOMATIC
 ) -> Family:
@@ -61,7 +55,7 @@ def return_maps(
         if int(period) != period or period < 1:
             raise ValueError(f"period: {period} (mesh periods) must be a whole number, 1 or more")
         oscillator = oscillator_at(value)
-        if not torque_repeats(oscillator, period):
+        if not oscillator.torque.repeats_after(period):
             raise ValueError(
                 f"period: {period} (mesh periods) is no whole number of periods of the external torque, whose "
                 f"frequency is {oscillator.torque.frequency_ratio} times the mesh frequency; no orbit repeats after it"

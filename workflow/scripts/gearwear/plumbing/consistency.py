@@ -41,6 +41,7 @@ def disagreements(values: dict[str, Any]) -> Iterator[Problem]:
     yield from _settling(values)
     yield from _unloaded_error(values)
     yield from _resolution(values)
+    yield from _torque(values)
     if isinstance(_at(values, "cases"), dict):
         yield from _case_names(values)
         yield from _updates(values)
@@ -140,6 +141,15 @@ def _resolution(values: dict[str, Any]) -> Iterator[Problem]:
         yield (
             ("grid", "mesh_cells"),
             f"{cells} cells do not resolve dynamics.harmonics, {highest}; give at least {8 * highest}",
+        )
+
+
+def _torque(values: dict[str, Any]) -> Iterator[Problem]:
+    waves = _pair(values, "dynamics.torque_fluctuation.amplitudes", "dynamics.torque_fluctuation.phases")
+    if waves and len(waves[0]) != len(waves[1]):
+        yield (
+            ("dynamics", "torque_fluctuation", "phases"),
+            f"{len(waves[1])} phases for {len(waves[0])} amplitudes; give one phase for every amplitude",
         )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import Field
+from pydantic import Field, Strict
 
 from gearwear.plumbing.basin_sections import Basins
 from gearwear.plumbing.gear_sections import (
@@ -27,6 +27,7 @@ from gearwear.plumbing.key_types import (
     Names,
     Number,
     Numbers,
+    ReadNumber,
     ReadWhole,
     Section,
     Whole,
@@ -40,6 +41,8 @@ from gearwear.plumbing.member_sections import Onsets, Study
 
 MOST_CYCLES = 10**12
 _Order = Annotated[int, Field(ge=1, le=64), ReadWhole]
+_Amplitude = Annotated[float, Field(ge=0.0, le=5.0), ReadNumber]
+_Phase = Annotated[float, Field(ge=-6.2832, le=6.2832), ReadNumber]
 
 
 class Wear(Section):
@@ -72,11 +75,15 @@ class Wear(Section):
 
 
 class TorqueFluctuation(Section):
-    """External harmonic torque."""
+    """External periodic torque, a sum of harmonics."""
 
-    amplitude: Number = quantity("1", "Amplitude over the mean mesh force; 0 = none.", ge=0.0, le=5.0)
     frequency_ratio: Number = quantity("1", "Its frequency over the mesh frequency.", gt=0.0, le=100.0)
-    phase: Number = quantity("rad", "Phase at the entry of a tooth pair.", ge=-6.2832, le=6.2832)
+    amplitudes: Annotated[list[_Amplitude], Strict()] = quantity(
+        "1", "Amplitudes of its harmonics 1, 2, ... over the mean mesh force; an empty list = none.", max_length=64
+    )
+    phases: Annotated[list[_Phase], Strict()] = quantity(
+        "rad", "Their phases at the entry of a tooth pair, one for every amplitude.", max_length=64
+    )
 
 
 class Start(Section):
@@ -123,7 +130,8 @@ class Dynamics(Section):
     torque_fluctuation: TorqueFluctuation
     tolerance: Number = quantity(
         "1",
-        "Relative tolerance of Dormand-Prince, used where the affine map does not apply: torque at another frequency.",
+        "Relative tolerance of Dormand-Prince, used where the affine map does not apply: a torque that does not repeat "
+        "within 64 mesh periods.",
         ge=1e-13,
         le=1e-4,
     )
@@ -144,6 +152,10 @@ class Settling(Section):
     )
     chaos_threshold: Number = quantity(
         "1", "Least Lyapunov exponent per unit of dimensionless time that is called chaos.", gt=0.0, le=1.0
+    )
+    early_end: Flag = plain(
+        "Whether a motion whose section recurs to the last bit is filled in instead of run on; the sections stay the "
+        "same to the last bit, exponents to round-off."
     )
 
 
