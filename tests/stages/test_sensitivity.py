@@ -106,12 +106,17 @@ def test_a_sweep_up_starts_every_point_where_the_one_before_ended(study, measure
 
 
 def test_a_state_that_cannot_be_has_its_reason_and_no_numbers(study):
-    tight = {"backlash.half_backlash": 1e-6, "sensitivity.half_backlash.low": 1e-6}
-    cfg = slice_of(study(CHANGES | FEW | tight), "measures")
+    cfg = slice_of(study(CHANGES | FEW | {"backlash.half_backlash": 1e-6}), "measures")
     found = module.measures(cfg)
     assert found["hindrance"].values[0] == "" and found["hindrance"].values[1].startswith("the teeth jam")
     assert np.isfinite(found["mean_stiffness"].values).tolist() == [True, False]
     assert np.isnan(found["deepest_wear"].sel(case="with")).all()
+
+
+def test_a_pair_that_cannot_be_has_its_reason_in_both_cases(study):
+    found = module.measures(slice_of(study(CHANGES | FEW | {"gear_pair.bore_radius.pinion": 0.1}), "measures"))
+    assert found["hindrance"].values.tolist() == [found["hindrance"].values[0]] * 2
+    assert "bore" in found["hindrance"].values[0]
 
 
 def test_an_error_that_nobody_worded_is_no_result(study, monkeypatch):

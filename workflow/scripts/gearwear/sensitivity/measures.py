@@ -38,10 +38,10 @@ def measures(config: dict[str, Any]) -> xr.Dataset:
     -------
     dataset along `case`; a case that cannot be computed has nan and the reason as its `hindrance`.
     """
-    pair = geometry(config)
     found = []
     for case in CASES:
         try:
+            pair = geometry(config)
             reference = last_state(config, pair, config["dynamics"]["reference_case"])
             found.append(_of(config, pair, last_state(config, pair, case, reference), reference))
         except ValueError as error:

@@ -25,24 +25,19 @@ PLACES = {
 
 
 def out_of_order(values: dict[str, Any]) -> Iterator[tuple[tuple[str, ...], str]]:
-    """Yield path and message of every end on the wrong side of the value of the study.
+    """Yield path and message of every range whose high end is not above its low one.
 
     Parameters
     ----------
     values : nested dict of the values that are valid on their own; others are absent.
     """
-    for name, key in PLACES.items():
-        usual = value_at(values, key)
-        for end in ENDS:
-            value = value_at(values, f"sensitivity.{name}.{end}")
-            if value is None or usual is None or value == usual:
-                continue
-            if (value > usual) == (end == "low"):
-                side, bound = ("above", "most") if end == "low" else ("below", "least")
-                yield (
-                    ("sensitivity", name, end),
-                    f"{figure(value)} is {side} {key}, {figure(usual)}; give at {bound} that",
-                )
+    for name in PLACES:
+        low, high = (value_at(values, f"sensitivity.{name}.{end}") for end in ENDS)
+        if low is not None and high is not None and high <= low:
+            yield (
+                ("sensitivity", name, "high"),
+                f"{figure(high)} is not above sensitivity.{name}.low, {figure(low)}; exchange them or widen the range",
+            )
 
 
 def value_at(values: dict[str, Any], key: str) -> Any:
