@@ -102,12 +102,14 @@ BAD = [
     (
         "wear.damping_ratio",
         0.1,
-        "unknown key (the key of that name is dynamics.damping_ratio or onsets.box.damping_ratio)",
+        "unknown key (the key of that name is dynamics.damping_ratio, onsets.box.damping_ratio or "
+        "sensitivity.damping_ratio)",
     ),
     (
         "half_backlash",
         1e-4,
-        "unknown key (did you mean backlash? the key of that name is backlash.half_backlash)",
+        "unknown key (did you mean backlash? the key of that name is backlash.half_backlash or "
+        "sensitivity.half_backlash)",
     ),
     ("operation.dampng_ratio", 0.1, "unknown key (did you mean dynamics.damping_ratio?)"),
     (
@@ -121,7 +123,14 @@ BAD = [
     ("elasticity.law", DROP, "missing; give li, linear, table or constant"),
     ("grid", DROP, "missing section; give its keys mesh_cells"),
     ("portraits.ste", DROP, "missing section; give names of cases with their values below it"),
+    # order of the ends
+    (
+        "sensitivity.pinion_torque.high",
+        100,
+        "100.0 is not above sensitivity.pinion_torque.low, 104.0; exchange them or widen the range",
+    ),
     # kinds of values
+    ("sensitivity.damping_ratio.high", 2, "2.0 is not below 1; give a number from 1.0e-4 to below 1"),
     ("wear.coefficient", "abc", "text 'abc' is not a number; give a number from 0 to 1.0e-9 m2/N"),
     ("friction.dry", "0,2", "text '0,2' is not a number; give a number above 0 up to 2"),
     ("heat.flash_coefficient", True, "true is not a number; give a number from 0 to 2"),

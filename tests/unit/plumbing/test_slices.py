@@ -11,6 +11,17 @@ from gearwear.plumbing.slices import STAGES, slice_of
 
 ROOT = Path(__file__).resolve().parents[3]
 SWEPT = ("sweep", "branches", "portraits", "basins")
+CHAIN = (
+    "temperature",
+    "deformation",
+    "mesh_stiffness",
+    "transmission_error",
+    "backlash",
+    "response",
+    "advance_wear",
+    "sweep",
+    "onsets",
+)
 MAPS = {"map_ste", "map_backlash", "map_temperature", "map_wear"}
 
 
@@ -105,6 +116,7 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("sweeps.order", {"onsets", "onset_shifts"}),
         ("onsets.refinement", {"onsets"}),
         ("onsets.members", {"onset_shifts"}),
+        ("sensitivity.damping_ratio.low", {"sensitivity"}),
         ("onsets.box.bore_radius.low", {"onset_shifts"}),
         ("branches.largest_period", {"branches"}),
         ("portraits.backlash.with", {"portraits"}),
@@ -123,7 +135,27 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
 )
 def test_a_key_reaches_its_stages_and_no_other(config, keys, stages):
     other = changed(config, keys.split("."))
-    assert {stage for stage in STAGES if cut(other, stage) != cut(config, stage)} == stages
+    reached = {stage for stage in STAGES if cut(other, stage) != cut(config, stage)}
+    assert reached - {"measures"} == stages
+
+
+@pytest.mark.parametrize("stage", ("geometry", *CHAIN))
+def test_the_measures_see_every_setting_of_the_chain(config, stage):
+    measured = cut(config, "measures")
+    for case in ("without", "with"):
+        whole = measured | {"case": measured["cases"][case]}
+        for keys in leaves(cut(config, stage, case, "mesh_frequency")):
+            value = whole
+            for key in keys:
+                value = value[key]
+
+
+def test_the_measures_see_no_other_sweep_and_no_other_case(config):
+    before = cut(config, "measures")
+    for keys in ("sweeps.backlash.reading", "cases.wear_only.bulk_temperature", "maps.case", "branches.largest_period"):
+        assert cut(changed(config, keys.split(".")), "measures") == before
+    config["dynamics"]["reference_case"] = "temperature_only"
+    assert set(cut(config, "measures")["cases"]) == {"without", "with", "temperature_only"}
 
 
 @pytest.mark.parametrize("stage", [stage for stage in STAGES if stage not in SWEPT])
@@ -156,7 +188,7 @@ def test_every_key_of_the_physics_reaches_a_stage(config):
                     ("cases", case, *keys[1:]) if keys[0] == "case" else keys
                     for keys in leaves(cut(config, stage, case, sweep))
                 }
-    only_targets = {("cases", case, "running_cycles") for case in config["cases"]}
+    only_targets = {("cases", case, "running_cycles") for case in config["cases"] if case not in ("without", "with")}
     only_targets |= {("sweeps", sweep, "cases") for sweep in config["portraits"]}
     only_targets |= {("figures", "diagonal"), ("maps", "case")}
     assert set(leaves(config)) - reached == only_targets

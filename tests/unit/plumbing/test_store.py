@@ -73,6 +73,8 @@ def test_every_field_has_a_unit_unless_it_is_a_label_or_an_index():
     integers_and_words |= {f"branch_{side}{rest}" for side in ("start", "end") for rest in ("", "_remark")}
     integers_and_words |= {"event", "variant", "error", "member", "parameter", "onset_how", "onset_remark"}
     integers_and_words |= {f"member_{what}_{case}" for what in ("how", "remark") for case in ("without", "with")}
+    integers_and_words |= {"case", "hindrance", "group", "key", "value", "usual_value", "companions"}
+    integers_and_words |= {"first_doubling_remark", "chaos_onset_remark"}
     assert without == integers_and_words
     assert all(field.long_name and field.dims for field in FIELDS.values())
 

@@ -11,15 +11,15 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from gearwear.plumbing.key_types import CASE_NAME
+from gearwear.plumbing.key_types import CASE_NAME, SWEEPS
 from gearwear.plumbing.study_sections import MOST_CYCLES
 from gearwear.plumbing.wording import dotted, figure, listed, shown
+from gearwear.sensitivity.parameters import out_of_order
 
-SWEEPS = ("mesh_frequency", "ste", "backlash")
 REQUIRED_CASES = ("without", "temperature_only", "wear_only", "with")
 DRAWN_PORTRAITS = (("mesh_frequency", "without"), ("mesh_frequency", "with"), ("ste", "with"), ("backlash", "with"))
 RESERVED_NAMES = ("figures", "logs", "benchmarks", "geometry", "studies")
-MADE_STUDIES = ["temperature", "onsets"]
+MADE_STUDIES = ["temperature", "onsets", "sensitivity"]
 MOST_UPDATES = 999
 _LONGEST_NAME = 60
 _MOST_NAMED = 12
@@ -51,6 +51,7 @@ def disagreements(values: dict[str, Any]) -> Iterator[Problem]:
     yield from _basins(values)
     yield from _maps(values)
     yield from _studies(values)
+    yield from out_of_order(values)
 
 
 def _at(values: dict[str, Any], path: str) -> Any:

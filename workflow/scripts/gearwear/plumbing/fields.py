@@ -27,7 +27,8 @@ _SCALAR, _GEAR = ((),), (("gear",),)
 _PATH, _BOTH = (("path",),), (("gear", "path"),)
 _ROW, _COLUMN, _PLANE = (("row",),), (("column",),), (("row", "column"),)
 _PHASE, _POINT = (("mesh_phase",),), (("point",), ())
-_EVENT, _WAYS, _MEMBERS = (("event",),), (("variant", "event"),), (("member", "event"),)
+_MEMBER, _EVENT, _WAYS, _MEMBERS = (("member",),), (("event",),), (("variant", "event"),), (("member", "event"),)
+_STATE = (("case",), ("member", "case"))
 _NODE, _BRANCH = (("node",),), (("branch",),)
 _ATTRACTOR = (("point", "attractor"),)
 _MOTION, _SECTION = _POINT + _ATTRACTOR, (("point", "sample"), ("point", "attractor", "sample"))
@@ -147,7 +148,7 @@ FIELDS: dict[str, Field] = {
     "stiffness_phase": Field("rad", "phase of the stiffness, zero at pair entry", (("harmonic",),)),
     "mean_clearance": Field("1", "mean half clearance over initial half backlash", _SCALAR),
     "relative_mean_error": Field(
-        "1", "mean transmission error over that of the reference case, if this has one", _SCALAR, None, True
+        "1", "mean transmission error over that of the reference case, if this has one", _SCALAR + _STATE, None, True
     ),
     # sweeps, portraits and basins
     "mesh_frequency": Field("1", "mesh frequency over natural frequency", _POINT + _NODE + _COLUMN),
@@ -227,7 +228,7 @@ FIELDS: dict[str, Field] = {
     "event": Field("", "event on the route to chaos", _EVENT),
     "variant": Field("", "way of computing the events", (("variant",),)),
     "error": Field("", "contribution to the numerical error", (("error",),)),
-    "member": Field("", "member of the ensemble", (("member",),)),
+    "member": Field("", "member of the study", _MEMBER),
     "parameter": Field("", "parameter varied over the ensemble", (("parameter",),)),
     "onset": Field("1", "mesh frequency over natural frequency at the event", _EVENT + _WAYS, None, True),
     "onset_seen": Field("1", "mesh frequency where the sweep shows the event", _EVENT + _WAYS, None, True),
@@ -247,4 +248,24 @@ FIELDS: dict[str, Field] = {
     "member_how_with": Field("", "how the sweep of case with meets the event", _MEMBERS, HOW),
     "member_remark_without": Field("", "the same in words", _MEMBERS),
     "member_remark_with": Field("", "the same in words", _MEMBERS),
+    # sensitivity of the model
+    "case": Field("", "state of temperature and wear", (("case",),)),
+    "mean_stiffness": Field("N m-1", "mean mesh stiffness in the equation of motion", _STATE, None, True),
+    "stiffness_ripple": Field("1", "first harmonic of the mesh stiffness over its mean", _STATE, None, True),
+    "mean_half_backlash": Field("m", "half clearance, mean over the mesh", _STATE, None, True),
+    "deepest_wear": Field(
+        "m", "largest wear depth of the flank", tuple((*dims, "gear") for dims in _STATE), None, True
+    ),
+    "first_doubling": Field(
+        "1", "mesh frequency over natural frequency at the first period doubling", _STATE, None, True
+    ),
+    "first_doubling_remark": Field("", "the same in words", _STATE),
+    "chaos_onset": Field("1", "mesh frequency over natural frequency where chaos begins", _STATE, None, True),
+    "chaos_onset_remark": Field("", "the same in words", _STATE),
+    "hindrance": Field("", "why the state cannot be computed, empty if it can", _STATE),
+    "group": Field("", "kind of what is varied: option or parameter", _MEMBER),
+    "key": Field("", "key of the configuration that is varied", _MEMBER),
+    "value": Field("", "its value", _MEMBER),
+    "usual_value": Field("", "its value in the study", _MEMBER),
+    "companions": Field("", "keys changed along with it, empty for none", _MEMBER),
 }

@@ -12,6 +12,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, Strict, Stri
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticCustomError
 
+SWEEPS = ("mesh_frequency", "ste", "backlash")
 CASE_NAME = "[a-z][a-z0-9_]*"
 _NUMERAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 

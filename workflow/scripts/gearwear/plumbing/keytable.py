@@ -13,10 +13,9 @@ from typing import Any
 import yaml
 from pydantic.fields import FieldInfo
 
-from gearwear.plumbing.consistency import SWEEPS
 from gearwear.plumbing.key_types import adapter, entry_type, is_section, keys, placeholder, unit_of
 from gearwear.plumbing.settings import check
-from gearwear.plumbing.slices import STAGES
+from gearwear.plumbing.slices import STAGES, readers
 from gearwear.plumbing.study_sections import Configuration
 from gearwear.plumbing.wording import allowed, figure
 
@@ -72,11 +71,6 @@ def table_text(defaults: dict[str, Any], stages: Mapping[str, tuple[str, ...]]) 
         ]
         lines += [_row(path, leaf, defaults, stages) for path, leaf in _leaves() if path[0] == name]
     return "\n".join(lines) + "\n"
-
-
-def readers(path: tuple[str, ...], stages: Mapping[str, tuple[str, ...]]) -> list[str]:
-    """Return the stages that read the key at `path` or a section around it, in the order of `stages`."""
-    return [stage for stage, wanted in stages.items() if any(_covers(key, path) for key in wanted)]
 
 
 def write(root: Path = ROOT) -> None:
@@ -137,17 +131,6 @@ def _default(values: Any, path: tuple[str, ...]) -> str:
     if isinstance(values, str):
         return values
     return json.dumps(values) if values is None or isinstance(values, bool) else figure(values)
-
-
-def _covers(key: str, path: tuple[str, ...]) -> bool:
-    parts = key.split(".")
-    if parts[0] == "case":
-        parts[:1] = ["cases", "{case}"]
-    return len(parts) <= len(path) and all(map(_matches, parts, path))
-
-
-def _matches(part: str, name: str) -> bool:
-    return part == name or (part == "{case}" and name == "<case>") or (part == "{sweep}" and name in SWEEPS)
 
 
 if __name__ == "__main__":

@@ -7,6 +7,8 @@ from typing import Any
 
 from gearwear.onsets import ensemble
 from gearwear.plumbing.settings import ConfigError, check
+from gearwear.plumbing.wording import dotted
+from gearwear.sensitivity import variations
 
 Overrides = Mapping[str, Any]
 
@@ -20,7 +22,8 @@ def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
 
     Returns
     -------
-    folder, "" or "studies/STUDY/MEMBER/" -> checked configuration; that of a member has no studies.
+    folder, "" or "studies/STUDY/MEMBER/" -> checked configuration; that of a member has no studies. An option that the
+    rest of the configuration does not allow makes no member of the study of the sensitivity; see `hindrance`.
 
     Raises
     ------
@@ -36,10 +39,21 @@ def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
             try:
                 found[root] = check(merged({**config, "studies": {}}, overrides))
             except ConfigError as error:
+                if study == variations.STUDY:
+                    continue
                 problems += [(root, problem) for _, problem in error.problems]
     if problems:
         raise ConfigError(problems)
     return found
+
+
+def hindrance(config: dict[str, Any], overrides: Overrides) -> str:
+    """Return why the configuration with these overrides is refused, one problem after another; "" if it is not."""
+    try:
+        check(merged({**config, "studies": {}}, overrides))
+    except ConfigError as error:
+        return "; ".join(f"{dotted(path)}: {text}" for _, (path, text) in error.problems)
+    return ""
 
 
 def merged(base: Overrides, overrides: Overrides) -> dict[str, Any]:
@@ -64,4 +78,9 @@ def _studies(config: dict[str, Any]) -> dict[str, Mapping[str, Overrides]]:
         for value in maps["temperature"]
     }
     declared = {name: study["members"] for name, study in config["studies"].items()}
-    return {"temperature": temperatures, ensemble.STUDY: ensemble.overrides(config)} | declared
+    made = {
+        "temperature": temperatures,
+        ensemble.STUDY: ensemble.overrides(config),
+        variations.STUDY: {one.name: one.overrides for one in variations.variations(config)},
+    }
+    return made | declared

@@ -1,11 +1,15 @@
 """Which configuration keys each stage reads: the contract behind every re-run.
 
-`case` stands for the entry of the case at hand in `cases`, `{sweep}` for the name of a sweep.
+`case` stands for the entry of the case at hand in `cases`, `{sweep}` for the name of a sweep, `{reference}` for that of
+the reference case.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
+
+from gearwear.plumbing.key_types import SWEEPS
 
 _EXCITED = ("dynamics", "settling", "operation.pinion_torque")
 _HOT_STEEL = (
@@ -55,6 +59,31 @@ STAGES: dict[str, tuple[str, ...]] = {
     "map_temperature": (*_EXCITED, "maps.mesh_frequency", "maps.temperature"),
     "map_wear": (*_EXCITED, "maps.mesh_frequency"),
     "onsets": (*_EXCITED, "sweeps.order", "onsets.refinement"),
+    "measures": (
+        "gear_pair",
+        "grid",
+        "material",
+        "elasticity",
+        "operation",
+        "lubricant",
+        "friction",
+        "heat",
+        "mesh_stiffness",
+        "transmission_error",
+        "backlash",
+        "wear",
+        "dynamics",
+        "settling",
+        "cases.without",
+        "cases.with",
+        "cases.{reference}",
+        "sweeps.order",
+        "sweeps.mesh_frequency",
+        "branches.largest_step",
+        "branches.most_nodes",
+        "onsets.refinement",
+    ),
+    "sensitivity": ("sensitivity",),
     "onset_shifts": ("sweeps.order", "onsets.members", "onsets.box"),
     "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
     "basins": (
@@ -70,6 +99,7 @@ STAGES: dict[str, tuple[str, ...]] = {
 # Keys of a sweep that a stage passes over: the list of cases decides which files are made, not what is in them.
 _PASSED_OVER = {
     "sweep": ("cases",),
+    "measures": ("cases",),
     "branches": ("cases", "points"),
     "portraits": ("cases", "first", "last", "points"),
     "basins": ("cases", "first", "last", "points"),
@@ -83,7 +113,7 @@ def slice_of(config: dict, stage: str, case: str = "", sweep: str = "") -> dict[
         wanted.append("operation.pinion_torque")
     cut: dict[str, Any] = {}
     for dotted in wanted:
-        path = dotted.format(case=case, sweep=sweep).split(".")
+        path = dotted.format(case=case, sweep=sweep, reference=config["dynamics"]["reference_case"]).split(".")
         source: Any = {**config, "case": config["cases"].get(case)}
         target = cut
         for name in path[:-1]:
@@ -95,6 +125,22 @@ def slice_of(config: dict, stage: str, case: str = "", sweep: str = "") -> dict[
             passed_over = _PASSED_OVER.get(stage, ())
             cut["sweeps"][name] = {key: value for key, value in settings.items() if key not in passed_over}
     return _sorted(cut)
+
+
+def readers(path: tuple[str, ...], stages: Mapping[str, tuple[str, ...]]) -> list[str]:
+    """Return the stages that read the key at `path` or a section around it, in the order of `stages`."""
+    return [stage for stage, wanted in stages.items() if any(_covers(key, path) for key in wanted)]
+
+
+def _covers(key: str, path: tuple[str, ...]) -> bool:
+    parts = key.split(".")
+    if parts[0] == "case":
+        parts[:1] = ["cases", "{case}"]
+    return len(parts) <= len(path) and all(map(_matches, parts, path))
+
+
+def _matches(part: str, name: str) -> bool:
+    return part == name or name == "<case>" or (part == "{sweep}" and name in SWEEPS)
 
 
 def _sorted(value: Any) -> Any:

@@ -46,7 +46,7 @@ def logged(job, script: str) -> Iterator[None]:
                 raise ValueError("the source code changed while the workflow was running: start it again")
             yield
         except ValueError as error:
-            if not _worded(error):
+            if not worded(error):
                 log.exception("failed: %s", error)
                 raise
             log.error("failed: %s", error)
@@ -59,7 +59,7 @@ def logged(job, script: str) -> Iterator[None]:
             sys.stdout, sys.stderr = keep
 
 
-def _worded(error: ValueError) -> bool:
+def worded(error: ValueError) -> bool:
     """Return whether `error` comes from a `raise` of this project's code, and not from inside a library."""
     trace = error.__traceback__
     while trace.tb_next is not None:

@@ -11,7 +11,7 @@ import hashlib
 import json
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -46,9 +46,11 @@ _MADE_BY = {
     "onsets": ("locate_onsets",),
     "onset_variants": ("vary_onsets",),
     "onset_shifts": ("compare_onsets",),
+    "measures": ("measure_member",),
+    "sensitivity": ("compare_members",),
 }
 
-_SINGLE = ("geometry", "onsets", "onset_variants", "onset_shifts")  # names of nothing else
+_SINGLE = ("geometry", "onsets", "onset_variants", "onset_shifts", "measures", "sensitivity")  # names of nothing else
 
 
 def load(path: str | Path) -> xr.Dataset:
@@ -141,9 +143,12 @@ def mesh_states(inputs) -> tuple[xr.Dataset, xr.Dataset]:
     """
     state = [load(path) for path in (inputs.mesh_stiffness, inputs.transmission_error, inputs.backlash)]
     reference = [load(path) for path in (inputs.reference_stiffness, inputs.reference_error)]
-    return tuple(
-        xr.merge(parts, compat="override", join="override", combine_attrs="drop") for parts in (state, reference)
-    )
+    return together(state), together(reference)
+
+
+def together(parts: Iterable[xr.Dataset]) -> xr.Dataset:
+    """Return parts of one state as one dataset."""
+    return xr.merge(parts, compat="override", join="override", combine_attrs="drop")
 
 
 def lineage(path: str | Path) -> str:

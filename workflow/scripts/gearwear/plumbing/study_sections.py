@@ -38,6 +38,7 @@ from gearwear.plumbing.key_types import (
     target,
 )
 from gearwear.plumbing.member_sections import Onsets, Study
+from gearwear.plumbing.sensitivity_sections import Sensitivity
 
 MOST_CYCLES = 10**12
 _Order = Annotated[int, Field(ge=1, le=64), ReadWhole]
@@ -296,4 +297,5 @@ class Configuration(Section):
     basins: Basins
     figures: Figures
     onsets: Onsets
+    sensitivity: Sensitivity
     studies: dict[CaseName, Study] = table("Studies made of members.", "studies")
