@@ -20,6 +20,7 @@ STATES = [
     {"case": "without", "cycle": 0, "bulk_temperature": 20.0, "running_cycles": 0, "flash": False},
     {"case": "with", "cycle": 21, "bulk_temperature": 100.0, "running_cycles": 2.1e9, "flash": True},
 ]
+WORN = {**STATES[1], "cycle": 1, "place": 1}  # at the end of a life of one wear cycle
 SWEPT = {
     "mesh_frequency": {"cases": ["without", "with"], "first": 0.1, "last": 1.7, "points": 9},
     "ste": {"cases": ["with"], "first": 0.1, "last": 3.0, "points": 9, "mesh_frequency": 1.0},
@@ -70,23 +71,42 @@ def results(tmp_path_factory):
         "end_of_contact": END,
         "contact_ratio": 1.6,
         "leaving": ("mesh_phase", np.where(phase < 0.6, 0, -1)),
+        "entering": ("mesh_phase", np.arange(10)),
+        "mesh_phase_width": ("mesh_phase", np.full(10, 0.1)),
+        "partner": ("path", np.concatenate([np.arange(11, 18), np.full(4, -1), np.arange(7)])),
     }
     save("geometry", points, of_gears | of_phase)
     along, mesh = ("gear", "path"), np.where(phase < 0.6, 3.5e8, 2e8)
     for i, case in enumerate(CASES):
         wear = i * 1e-6 * (1 + single) * np.abs(path - PITCH) / PITCH
         growth = i * np.stack([5e-6 - path / 1e4, 3e-6 + path / 1e4])
-        save(f"{case}_wear", {"wear_depth": (along, np.stack([3 * wear, wear]))}, of_gears)
+        worn = {"wear_depth": (along, np.stack([3 * wear, wear])), "running_cycles": i * 2.1e9}
+        save(f"{case}_wear", worn, of_gears)
         save(f"{case}_deformation", {"thermal_growth": (along, growth)}, of_gears)
-        save(f"{case}_mesh_stiffness", {"mesh_stiffness": ("mesh_phase", mesh * (1 - 0.03 * i))}, of_phase)
+        springs = {"pair_stiffness": ("path", np.full(18, 2e8)), "pair_coupling": ("path", np.zeros(18))}
+        stiffness = {"mesh_stiffness": ("mesh_phase", mesh * (1 - 0.03 * i))} | springs
+        save(f"{case}_mesh_stiffness", stiffness, of_phase | {"path": path})
         error = {
             "transmission_error": ("mesh_phase", 4e3 / mesh * (1 + 0.1 * i)),
             "effective_stiffness": ("mesh_phase", mesh * (1 - 0.1 * i)),
             "elastic_deflection": ("path", 1e-5 * (1 + single)),
+            "load_share_path": ("path", (1 + single) / 2),
+            "sharing_error": ("path", np.linspace(1e-6 * i, 0, 18)),
         }
         save(f"{case}_transmission_error", error, of_phase | {"path": path})
         clearance = {"backlash_path": ("path", 7e-5 - 5e-6 * i + 3e-6 * single), "initial_half_backlash": 6.5e-5}
         save(f"{case}_backlash", clearance, {"path": path})
+        contact = {
+            "flash_temperature": 90 * i * np.abs(path - PITCH) / PITCH,
+            "friction_coefficient": 0.06 - 0.01 * single,
+            "film_ratio": 0.3 + path * 20,
+        }
+        contact["contact_temperature"] = 20 + 80 * i + contact["flash_temperature"]
+        save(f"{case}_temperature", {name: ("path", values) for name, values in contact.items()}, {"path": path})
+        time = np.arange(1 + i)[:, None] + np.append(phase, phase[:8])
+        force = 4000 + 800 * np.cos(2 * np.pi * time) + 100 * i * np.cos(np.pi * time)
+        moving = {"mesh_frequency_ratio": 0.28, "mean_force": 4000.0}
+        save(f"{case}_response", moving | {"mesh_force_path": (("response_period", "path"), force)}, {"path": path})
         for sweep, settings in SWEPT.items():
             swept = np.linspace(settings["first"], settings["last"], settings["points"])
             for order, classes in CLASSES.items():
@@ -164,17 +184,32 @@ def inputs_of(results, number):
         return [str(results / f"{case}_{name}.nc") for case in CASES]
 
     geometry = {"geometry": str(results / "geometry.nc")}
-    diagonal = {
+    of_states = {
         6: ("plot_wear", ("wear",)),
         7: ("plot_growth", ("deformation",)),
         8: ("plot_stiffness", ("mesh_stiffness", "transmission_error")),
         9: ("plot_error", ("transmission_error",)),
         10: ("plot_growth_share", ("deformation", "transmission_error", "wear")),
         11: ("plot_backlash", ("backlash",)),
+        "contact temperature": ("plot_contact_temperature", ("temperature",)),
+        "load sharing": ("plot_load_sharing", ("mesh_stiffness", "transmission_error", "response")),
+        "mesh force": ("plot_mesh_force", ("response",)),
     }
-    if number in diagonal:
-        script, names = diagonal[number]
+    if number in of_states:
+        script, names = of_states[number]
         return script, geometry | {name: each(name) for name in names}, {"states": STATES}
+    if number == "wear history":
+        names = ("wear", "mesh_stiffness", "transmission_error")
+        return "plot_wear_history", geometry | {name: each(name) for name in names}, {"states": [WORN]}
+    if number == "exponents":
+        panels = [
+            {"sweep": sweep, "swept": SWEPT[sweep], "state": state}
+            for sweep in SWEPT
+            for state in STATES
+            if state["case"] in SWEPT[sweep]["cases"]
+        ]
+        sweeps = [str(results / f"{one['state']['case']}_{one['sweep']}_restart.nc") for one in panels]
+        return "plot_exponents", {"sweeps": sweeps}, {"panels": panels}
     sweep = {12: "mesh_frequency", 13: "mesh_frequency", 14: "mesh_frequency", 15: "ste", 16: "ste"}.get(
         number, "backlash"
     )
@@ -244,6 +279,11 @@ WORDS = {
         "Initialdisplacementoverswepthalfbacklash",
         "timesnaturalfrequency",
     ],
+    "wear history": ["(a)Pinion", "Weardepthatthedeepestplace(µm)", "Revolutionsofthepinion(10⁹)", "with,100°C"],
+    "contact temperature": ["Flashtemperaturerise(K)", "Coefficientoffriction(1)", "(d)Film", "pitchpoint"],
+    "load sharing": ["(a)Staticmeshforce", "(b)Dynamicmeshforce", "Loadofthepairovermeanmeshforce"],
+    "mesh force": ["Dynamicmeshforce(kN)", "Amplitude(N)", "Orderofthemeshfrequency", "(c)Spectrum,100°C"],
+    "exponents": ["(a)Case“without”", "(d)Case“with”", "LargestLyapunovexponent(perunitofdimensionlesstime)"],
 }
 
 
@@ -305,3 +345,14 @@ def test_a_figure_without_portraits_is_refused_with_the_key_to_fill():
     assert portraits.height(0) == portraits.height(1)
     with pytest.raises(ValueError, match="portraits.ste"):
         portraits.draw(None, empty, {"sweep": "ste"})
+
+
+def test_load_of_a_pair_is_its_share_of_every_period_and_nothing_where_the_mesh_is_open():
+    load = importlib.import_module("plot_load_sharing").dynamic_load
+    geometry = xr.Dataset({"partner": ("path", [1, 0, -1])})
+    stiffness = {"pair_stiffness": [3e8, 1e8, 2e8], "pair_coupling": [0.0, 0.0, 0.0]}
+    transmission = {"sharing_error": [0.0, 0.0, 0.0], "load_share_path": [0.75, 0.25, 1.0]}
+    made = [xr.Dataset({name: ("path", values) for name, values in one.items()}) for one in (stiffness, transmission)]
+    force = ("response_period", "path"), [[4e3, 4e3, 6e3], [-8e3, 4e3, 2e3]]
+    response = xr.Dataset({"mesh_force_path": force, "mean_force": 4e3})
+    assert load(geometry, *made, response).values == pytest.approx([0.375, 0.25, 1.0])

@@ -105,6 +105,27 @@ def caption(figure):
     return str(Path(workflow.basedir) / "workflow" / "report" / f"{figure}.rst")
 
 
+rule list_parameters:
+    output:
+        report(
+            "results/parameters.csv",
+            caption=caption("parameters"),
+            category="Study",
+            labels={"figure": "parameters"},
+        ),
+    log:
+        "results/logs/list_parameters.log",
+    benchmark:
+        "results/benchmarks/list_parameters.tsv"
+    params:
+        cfg=config,
+        code=code("list_parameters.py"),
+    message:
+        "Listing the values of the configuration."
+    script:
+        "../scripts/list_parameters.py"
+
+
 rule list_versions:
     output:
         report(
