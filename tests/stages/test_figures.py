@@ -2,14 +2,19 @@
 
 import importlib
 import xml.etree.ElementTree as ElementTree
+from itertools import combinations
 from pathlib import Path
 from types import SimpleNamespace
 
+import matplotlib.style
 import numpy as np
 import pytest
 import xarray as xr
 import yaml
+from matplotlib.figure import Figure
+from matplotlib.text import Text
 
+from gearwear.drawing import sheet
 from gearwear.plumbing import store
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -71,7 +76,7 @@ def results(tmp_path_factory):
         "end_of_contact": END,
         "contact_ratio": 1.6,
         "leaving": ("mesh_phase", np.where(phase < 0.6, 0, -1)),
-        "entering": ("mesh_phase", np.arange(10)),
+        "entering": ("mesh_phase", np.arange(1, 11)),
         "mesh_phase_width": ("mesh_phase", np.full(10, 0.1)),
         "partner": ("path", np.concatenate([np.arange(11, 18), np.full(4, -1), np.arange(7)])),
     }
@@ -280,15 +285,57 @@ WORDS = {
         "timesnaturalfrequency",
     ],
     "wear history": ["(a)Pinion", "Weardepthatthedeepestplace(µm)", "Revolutionsofthepinion(10⁹)", "with,100°C"],
-    "contact temperature": ["Flashtemperaturerise(K)", "Coefficientoffriction(1)", "(d)Film", "pitchpoint"],
-    "load sharing": ["(a)Staticmeshforce", "(b)Dynamicmeshforce", "Loadofthepairovermeanmeshforce"],
+    "contact temperature": [
+        "Flashtemperaturerise(K)",
+        "Coefficientoffriction(1)",
+        "(d)Filmthicknessoverroughness",
+        "pitchpoint",
+    ],
+    "load sharing": ["(a)Staticmeshforce", "(b)Dynamicmeshforce", "Loadofthepair|overmeanmeshforce"],
     "mesh force": ["Dynamicmeshforce(kN)", "Amplitude(N)", "Orderofthemeshfrequency", "(c)Spectrum,100°C"],
     "exponents": ["(a)Case“without”", "(d)Case“with”", "LargestLyapunovexponent(perunitofdimensionlesstime)"],
 }
 
 
+def texts_of(figure):
+    """Yield what is written on a figure, the labels of ticks beyond the limits left out, and the box of each."""
+    for text in figure.findobj(Text):
+        if text.get_text().strip() and text.get_visible():
+            yield text, text.get_window_extent().padded(-0.5)
+
+
+def hidden_labels(figure):
+    """Return the labels of ticks that are not drawn."""
+    ticks = [
+        (axis, tick) for axes in figure.axes for axis in (axes.xaxis, axes.yaxis) for tick in axis.get_major_ticks()
+    ]
+    return {
+        label
+        for axis, tick in ticks
+        for label in (tick.label1, tick.label2)
+        if not min(axis.get_view_interval()) <= tick.get_loc() <= max(axis.get_view_interval())
+    }
+
+
+def assert_readable(figure):
+    """Assert that no text is too small, runs off the sheet or stands on another."""
+    with matplotlib.style.context(STYLE, after_reset=True):
+        figure.draw_without_rendering()
+        hidden = hidden_labels(figure)
+        written = [(text, box) for text, box in texts_of(figure) if text not in hidden]
+    assert len(written) > 10
+    assert min(text.get_fontsize() for text, _ in written) >= 6
+    left, bottom, right, top = figure.bbox.extents
+    inside = [left <= box.x0 <= box.x1 <= right and bottom <= box.y0 <= box.y1 <= top for _, box in written]
+    assert [text.get_text() for (text, _), whole in zip(written, inside, strict=True) if not whole] == []
+    over = [(a.get_text(), b.get_text()) for (a, one), (b, other) in combinations(written, 2) if one.overlaps(other)]
+    assert over == []
+
+
 @pytest.mark.parametrize("number", WORDS)
-def test_figure_is_written_with_its_words_and_the_same_bytes_twice(results, tmp_path, number):
+def test_figure_is_written_with_its_words_legible_and_the_same_bytes_twice(results, tmp_path, monkeypatch, number):
+    sheets = []
+    monkeypatch.setattr(sheet, "Figure", lambda **settings: sheets.append(Figure(**settings)) or sheets[-1])
     svg, png = plot(results, tmp_path / "first", number)
     again = plot(results, tmp_path / "second", number)
     assert [svg.read_bytes(), png.read_bytes()] == [path.read_bytes() for path in again]
@@ -297,6 +344,7 @@ def test_figure_is_written_with_its_words_and_the_same_bytes_twice(results, tmp_
     missing = [word for word in [*WORDS[number], "°C"] if word not in words]
     assert missing == []
     assert sorted(path.name for path in svg.parent.iterdir()) == ["figure.png", "figure.svg"]
+    assert_readable(sheets[0])
 
 
 def test_every_state_of_the_diagonal_is_named_with_temperature_and_cycles(results, tmp_path):
@@ -356,3 +404,12 @@ def test_load_of_a_pair_is_its_share_of_every_period_and_nothing_where_the_mesh_
     force = ("response_period", "path"), [[4e3, 4e3, 6e3], [-8e3, 4e3, 2e3]]
     response = xr.Dataset({"mesh_force_path": force, "mean_force": 4e3})
     assert load(geometry, *made, response).values == pytest.approx([0.375, 0.25, 1.0])
+
+
+def test_the_spectrum_is_summed_over_cells_whose_edges_meet(states, loaded):
+    geometry = loaded(states("without"), "geometry")
+    nodes, phase, weight = importlib.import_module("plot_mesh_force").cells(geometry)
+    assert geometry["path_phase"].values[nodes] == pytest.approx(phase, abs=1e-12)
+    assert weight.sum() == pytest.approx(1)
+    assert phase[2:-1:3] == pytest.approx(phase[3::3])
+    assert (phase[0], phase[-1]) == pytest.approx((0, 1), abs=1e-12)

@@ -13,7 +13,7 @@ PANELS = {
     "contact_temperature": ("Contact temperature", "Contact temperature (°C)"),
     "flash_temperature": ("Flash temperature", "Flash temperature rise (K)"),
     "friction_coefficient": ("Friction", "Coefficient of friction (1)"),
-    "film_ratio": ("Film", "Film thickness over roughness (1)"),
+    "film_ratio": ("Film thickness over roughness", "Film ratio (1)"),
 }
 
 

@@ -12,7 +12,7 @@ from gearwear.plumbing import stage, store
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
 
-LABEL = "Load of the pair over mean mesh force"
+LABEL = "Load of the pair\nover mean mesh force"
 
 
 def dynamic_load(geometry, stiffness, transmission, response):

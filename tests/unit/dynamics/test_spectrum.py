@@ -39,8 +39,3 @@ def test_the_power_of_the_lines_is_that_of_the_force():
     _, amplitudes = spectrum(values, PHASE, WIDTH, 10)
     power = ((values - 4000) ** 2 * WIDTH / 2).sum()
     assert (amplitudes**2).sum() / 2 == pytest.approx(power, rel=1e-3)
-
-
-def test_an_order_too_high_for_the_cells_is_refused():
-    with pytest.raises(ValueError, match="order 21 needs at least 84 cells"):
-        spectrum(history(1, [(1, 1.0, 0.0)]), PHASE, WIDTH, 21)

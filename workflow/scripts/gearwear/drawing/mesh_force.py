@@ -23,8 +23,13 @@ _MEAN = {"color": "#777777", "linewidth": 0.6}
 
 
 class Force(NamedTuple):
-    """Force (periods, mesh_phase) and its mean, orders of the mesh frequency and amplitudes (N); frequency ratio."""
+    """Force of one state over the periods until it repeats, and its spectrum.
 
+    Mesh phases (m,), force at them (periods, m) and static force (N); orders of the mesh frequency and amplitudes at
+    them (N); mesh frequency over natural frequency.
+    """
+
+    phase: np.ndarray
     history: np.ndarray
     mean: float
     orders: np.ndarray
@@ -43,8 +48,8 @@ def draw(figure: Figure, geometry: xr.Dataset, forces: Sequence[Force], drawn: S
     grid = figure.add_gridspec(len(forces), 2)
     history = figure.add_subplot(grid[:, 0])
     periods = min(max(phase_axis.PERIODS, *(len(force.history) for force in forces)), _LONGEST)
-    time = (np.arange(periods)[:, None] + geometry["mesh_phase"].values).ravel()
     for place, (force, state) in enumerate(zip(forces, drawn, strict=True)):
+        time = (np.arange(periods)[:, None] + force.phase).ravel()
         history.plot(time, 1e-3 * np.resize(force.history, time.shape), **states.line(place, state))
     history.axhline(1e-3 * forces[0].mean, label="static", zorder=1, **_MEAN)
     phase_axis.mark(history, geometry, periods)

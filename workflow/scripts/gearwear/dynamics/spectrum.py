@@ -8,7 +8,7 @@ from gearwear.dynamics.harmonics import harmonics
 
 
 def spectrum(
-    values: np.ndarray, mesh_phase: np.ndarray, width: np.ndarray, highest: float
+    values: np.ndarray, mesh_phase: np.ndarray, weight: np.ndarray, highest: int
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return orders of the mesh frequency, multiples of 1/periods up to `highest`, and their amplitudes.
 
@@ -17,18 +17,14 @@ def spectrum(
 
     Parameters
     ----------
-    values : at the midpoints of the cells, (periods, m).
-    mesh_phase, width : midpoints and widths of the cells of one mesh period, (m,).
-    highest : order, at most a quarter of m or the cells are too wide for it.
-
-    Raises
-    ------
-    ValueError : `highest` is beyond what the cells resolve.
+    values : at the mesh phases of every period, (periods, m).
+    mesh_phase, weight : nodes and weights of a quadrature over one mesh period, (m,), such as the midpoints and widths
+        of its cells.
+    highest : order up to which the quadrature is good.
     """
-    periods, cells = values.shape
-    if highest > cells / 4:
-        raise ValueError(f"spectrum: order {highest:g} needs at least {4 * highest:g} cells a mesh period, not {cells}")
+    periods = len(values)
     time = (np.arange(periods)[:, None] + mesh_phase).ravel() / periods
-    count = int(highest * periods)
-    amplitudes, _ = harmonics(values.ravel(), time, np.tile(width, periods) / periods, count)
-    return np.arange(1, count + 1) / periods, amplitudes
+    weights = np.tile(weight, periods) / periods
+    swings = values.ravel() - values.ravel() @ weights  # a large mean would leak into every order
+    amplitudes, _ = harmonics(swings, time, weights, highest * periods)
+    return np.arange(1, highest * periods + 1) / periods, amplitudes
