@@ -110,7 +110,7 @@ def results(tmp_path_factory):
         save(f"{case}_temperature", {name: ("path", values) for name, values in contact.items()}, {"path": path})
         time = np.arange(1 + i)[:, None] + np.append(phase, phase[:8])
         force = 4000 + 800 * np.cos(2 * np.pi * time) + 100 * i * np.cos(np.pi * time)
-        moving = {"mesh_frequency_ratio": 0.28, "mean_force": 4000.0}
+        moving = {"mesh_frequency_ratio": 0.28, "mean_force": 4000.0, "motion_class": 1 + i}
         save(f"{case}_response", moving | {"mesh_force_path": (("response_period", "path"), force)}, {"path": path})
         for sweep, settings in SWEPT.items():
             swept = np.linspace(settings["first"], settings["last"], settings["points"])
@@ -292,7 +292,7 @@ WORDS = {
         "pitchpoint",
     ],
     "load sharing": ["(a)Staticmeshforce", "(b)Dynamicmeshforce", "Loadofthepair|overmeanmeshforce"],
-    "mesh force": ["Dynamicmeshforce(kN)", "Amplitude(N)", "Orderofthemeshfrequency", "(c)Spectrum,100°C"],
+    "mesh force": ["Dynamicmeshforce(kN)", "Amplitude(N)", "Orderofthemeshfrequency", "(c)100°C,2.1×10⁹cycles:P2"],
     "exponents": ["(a)Case“without”", "(d)Case“with”", "LargestLyapunovexponent(perunitofdimensionlesstime)"],
 }
 

@@ -24,7 +24,7 @@ RULE_OF_FOLDER = {
     "figures": "figures",
 }
 CLAIMS = {"results/claims.csv", "results/claims.html"}
-PARAMETERS = "results/parameters.csv"  # follows every change
+PARAMETERS = {"results/parameters.csv", "results/parameters.html"}  # follow every change
 CHANGED_VALUES = {
     "gear_pair.face_width": 0.017,
     "material.pinion.density": 7800.0,
@@ -81,8 +81,8 @@ def plan_after(project, key, value) -> set[str]:
     """Return what is made anew, the list of parameters left out."""
     changed = overlay(project, key, value).name
     planned = project.planned("--configfile", "config/config.yaml", "config/smoke.yaml", changed)
-    assert PARAMETERS in planned
-    return planned - {PARAMETERS}
+    assert planned >= PARAMETERS
+    return planned - PARAMETERS
 
 
 def pictures(*names: str) -> set[str]:

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gearwear.drawing import mesh_force
+from gearwear.drawing import mesh_force, motion_classes
 from gearwear.drawing.sheet import DOUBLE, sheet
 from gearwear.dynamics.spectrum import spectrum
 from gearwear.plumbing import stage, store
@@ -31,7 +31,8 @@ def main(job):
         history = response["mesh_force_path"].values[:, nodes]
         lines = spectrum(history, phase, weight, min(mesh_force.HIGHEST, geometry.sizes["mesh_phase"] // 4))
         ratio, mean = (float(response[name]) for name in ("mesh_frequency_ratio", "mean_force"))
-        forces.append(mesh_force.Force(phase, history, mean, *lines, ratio))
+        motion = motion_classes.name_of(response["motion_class"])
+        forces.append(mesh_force.Force(phase, history, mean, *lines, ratio, motion))
     with sheet(job, DOUBLE, 30 + 24 * len(drawn)) as figure:
         mesh_force.draw(figure, geometry, forces, drawn)
 

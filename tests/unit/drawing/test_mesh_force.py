@@ -14,7 +14,7 @@ def force(periods):
     """Return a force whose every mesh period has a level of its own."""
     history = np.repeat(4000.0 + 100 * np.arange(periods)[:, None], 40, axis=1)
     orders = np.arange(1, 10 * periods + 1) / periods
-    return mesh_force.Force(PHASE, history, 4000.0, orders, np.exp(-orders), 0.25)
+    return mesh_force.Force(PHASE, history, 4000.0, orders, np.exp(-orders), 0.25, "CH")
 
 
 @pytest.mark.parametrize("periods, shown", [((1,), 2), ((1, 3), 3), ((2, 240), 8)])

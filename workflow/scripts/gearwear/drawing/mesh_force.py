@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from gearwear.drawing import legend, path_axis, phase_axis, states
+from gearwear.drawing import legend, motion_classes, path_axis, phase_axis, states
 from gearwear.drawing.sheet import letter
 
 HIGHEST = 10  # order of the mesh frequency
@@ -26,7 +26,7 @@ class Force(NamedTuple):
     """Force of one state over the periods until it repeats, and its spectrum.
 
     Mesh phases (m,), force at them (periods, m) and static force (N); orders of the mesh frequency and amplitudes at
-    them (N); mesh frequency over natural frequency.
+    them (N); mesh frequency over natural frequency; class of the motion.
     """
 
     phase: np.ndarray
@@ -35,6 +35,7 @@ class Force(NamedTuple):
     orders: np.ndarray
     amplitudes: np.ndarray
     mesh_frequency_ratio: float
+    motion: str
 
 
 def draw(figure: Figure, geometry: xr.Dataset, forces: Sequence[Force], drawn: Sequence[dict[str, Any]]) -> None:
@@ -60,7 +61,7 @@ def draw(figure: Figure, geometry: xr.Dataset, forces: Sequence[Force], drawn: S
     for place, (force, state) in enumerate(zip(forces, drawn, strict=True)):
         axes = shared = figure.add_subplot(grid[place, 1], sharex=shared, sharey=shared)
         _draw_spectrum(axes, force, states.colour(place))
-        axes.set_title(f"{letter(place + 1)} Spectrum, {states.name(state)}", loc="left")
+        axes.set_title(f"{letter(place + 1)} {states.name(state)}: {motion_classes.short(force.motion)}", loc="left")
         axes.tick_params(labelbottom=place == len(forces) - 1)
         axes.set_yscale("log")
         axes.set_ylim(_DECADES * largest, 3 * largest)
