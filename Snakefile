@@ -20,6 +20,7 @@ include: "workflow/rules/common.smk"
 include: "workflow/rules/state.smk"
 include: "workflow/rules/sweeps.smk"
 include: "workflow/rules/figures.smk"
+include: "workflow/rules/extra_figures.smk"
 include: "workflow/rules/maps.smk"
 include: "workflow/rules/onsets.smk"
 include: "workflow/rules/sensitivity.smk"
@@ -30,9 +31,11 @@ rule all:
     input:
         states(),
         figures(),
+        extra_figures(),
         basin_figures(),
         "results/claims.csv",
         "results/claims.html",
+        "results/parameters.csv",
         "results/versions.csv",
 
 

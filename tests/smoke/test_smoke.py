@@ -7,6 +7,7 @@ import netCDF4
 import pytest
 
 FIGURES = [f"fig{number:02d}" for number in range(6, 19)]
+FIGURES += ["wear_history", "contact_temperature", "load_sharing", "mesh_force", "exponents"]
 
 
 def test_every_promised_file_is_there(smoke_run):
@@ -32,6 +33,14 @@ def test_all_claims_are_judged_and_counted(smoke_run):
     assert f"Claims of the paper: {agree} of 54 agree" in smoke_run.printed
     page = (smoke_run.folder / "results" / "claims.html").read_text(encoding="utf-8")
     assert f"{agree} of 54 agree" in page and page.count('<tr class="') == 54
+
+
+def test_the_list_of_parameters_has_the_values_of_the_run(smoke_run):
+    with open(smoke_run.folder / "results" / "parameters.csv", newline="") as file:
+        rows = {row["key"]: row for row in csv.DictReader(file)}
+    assert rows["grid.mesh_cells"]["value"] == "80"
+    assert (rows["gear_pair.module"]["value"], rows["gear_pair.module"]["unit"]) == ("0.003175", "m")
+    assert all(row["meaning"] for row in rows.values())
 
 
 def test_every_job_left_a_log_and_a_benchmark(smoke_run):

@@ -2,14 +2,19 @@
 
 import importlib
 import xml.etree.ElementTree as ElementTree
+from itertools import combinations
 from pathlib import Path
 from types import SimpleNamespace
 
+import matplotlib.style
 import numpy as np
 import pytest
 import xarray as xr
 import yaml
+from matplotlib.figure import Figure
+from matplotlib.text import Text
 
+from gearwear.drawing import sheet
 from gearwear.plumbing import store
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -20,6 +25,7 @@ STATES = [
     {"case": "without", "cycle": 0, "bulk_temperature": 20.0, "running_cycles": 0, "flash": False},
     {"case": "with", "cycle": 21, "bulk_temperature": 100.0, "running_cycles": 2.1e9, "flash": True},
 ]
+WORN = {**STATES[1], "cycle": 1, "place": 1}  # at the end of a life of one wear cycle
 SWEPT = {
     "mesh_frequency": {"cases": ["without", "with"], "first": 0.1, "last": 1.7, "points": 9},
     "ste": {"cases": ["with"], "first": 0.1, "last": 3.0, "points": 9, "mesh_frequency": 1.0},
@@ -70,23 +76,42 @@ def results(tmp_path_factory):
         "end_of_contact": END,
         "contact_ratio": 1.6,
         "leaving": ("mesh_phase", np.where(phase < 0.6, 0, -1)),
+        "entering": ("mesh_phase", np.arange(1, 11)),
+        "mesh_phase_width": ("mesh_phase", np.full(10, 0.1)),
+        "partner": ("path", np.concatenate([np.arange(11, 18), np.full(4, -1), np.arange(7)])),
     }
     save("geometry", points, of_gears | of_phase)
     along, mesh = ("gear", "path"), np.where(phase < 0.6, 3.5e8, 2e8)
     for i, case in enumerate(CASES):
         wear = i * 1e-6 * (1 + single) * np.abs(path - PITCH) / PITCH
         growth = i * np.stack([5e-6 - path / 1e4, 3e-6 + path / 1e4])
-        save(f"{case}_wear", {"wear_depth": (along, np.stack([3 * wear, wear]))}, of_gears)
+        worn = {"wear_depth": (along, np.stack([3 * wear, wear])), "running_cycles": i * 2.1e9}
+        save(f"{case}_wear", worn, of_gears)
         save(f"{case}_deformation", {"thermal_growth": (along, growth)}, of_gears)
-        save(f"{case}_mesh_stiffness", {"mesh_stiffness": ("mesh_phase", mesh * (1 - 0.03 * i))}, of_phase)
+        springs = {"pair_stiffness": ("path", np.full(18, 2e8)), "pair_coupling": ("path", np.zeros(18))}
+        stiffness = {"mesh_stiffness": ("mesh_phase", mesh * (1 - 0.03 * i))} | springs
+        save(f"{case}_mesh_stiffness", stiffness, of_phase | {"path": path})
         error = {
             "transmission_error": ("mesh_phase", 4e3 / mesh * (1 + 0.1 * i)),
             "effective_stiffness": ("mesh_phase", mesh * (1 - 0.1 * i)),
             "elastic_deflection": ("path", 1e-5 * (1 + single)),
+            "load_share_path": ("path", (1 + single) / 2),
+            "sharing_error": ("path", np.linspace(1e-6 * i, 0, 18)),
         }
         save(f"{case}_transmission_error", error, of_phase | {"path": path})
         clearance = {"backlash_path": ("path", 7e-5 - 5e-6 * i + 3e-6 * single), "initial_half_backlash": 6.5e-5}
         save(f"{case}_backlash", clearance, {"path": path})
+        contact = {
+            "flash_temperature": 90 * i * np.abs(path - PITCH) / PITCH,
+            "friction_coefficient": 0.06 - 0.01 * single,
+            "film_ratio": 0.3 + path * 20,
+        }
+        contact["contact_temperature"] = 20 + 80 * i + contact["flash_temperature"]
+        save(f"{case}_temperature", {name: ("path", values) for name, values in contact.items()}, {"path": path})
+        time = np.arange(1 + i)[:, None] + np.append(phase, phase[:8])
+        force = 4000 + 800 * np.cos(2 * np.pi * time) + 100 * i * np.cos(np.pi * time)
+        moving = {"mesh_frequency_ratio": 0.28, "mean_force": 4000.0, "motion_class": 1 + i}
+        save(f"{case}_response", moving | {"mesh_force_path": (("response_period", "path"), force)}, {"path": path})
         for sweep, settings in SWEPT.items():
             swept = np.linspace(settings["first"], settings["last"], settings["points"])
             for order, classes in CLASSES.items():
@@ -164,17 +189,32 @@ def inputs_of(results, number):
         return [str(results / f"{case}_{name}.nc") for case in CASES]
 
     geometry = {"geometry": str(results / "geometry.nc")}
-    diagonal = {
+    of_states = {
         6: ("plot_wear", ("wear",)),
         7: ("plot_growth", ("deformation",)),
         8: ("plot_stiffness", ("mesh_stiffness", "transmission_error")),
         9: ("plot_error", ("transmission_error",)),
         10: ("plot_growth_share", ("deformation", "transmission_error", "wear")),
         11: ("plot_backlash", ("backlash",)),
+        "contact temperature": ("plot_contact_temperature", ("temperature",)),
+        "load sharing": ("plot_load_sharing", ("mesh_stiffness", "transmission_error", "response")),
+        "mesh force": ("plot_mesh_force", ("response",)),
     }
-    if number in diagonal:
-        script, names = diagonal[number]
+    if number in of_states:
+        script, names = of_states[number]
         return script, geometry | {name: each(name) for name in names}, {"states": STATES}
+    if number == "wear history":
+        names = ("wear", "mesh_stiffness", "transmission_error")
+        return "plot_wear_history", geometry | {name: each(name) for name in names}, {"states": [WORN]}
+    if number == "exponents":
+        panels = [
+            {"sweep": sweep, "swept": SWEPT[sweep], "state": state}
+            for sweep in SWEPT
+            for state in STATES
+            if state["case"] in SWEPT[sweep]["cases"]
+        ]
+        sweeps = [str(results / f"{one['state']['case']}_{one['sweep']}_restart.nc") for one in panels]
+        return "plot_exponents", {"sweeps": sweeps}, {"panels": panels}
     sweep = {12: "mesh_frequency", 13: "mesh_frequency", 14: "mesh_frequency", 15: "ste", 16: "ste"}.get(
         number, "backlash"
     )
@@ -244,11 +284,58 @@ WORDS = {
         "Initialdisplacementoverswepthalfbacklash",
         "timesnaturalfrequency",
     ],
+    "wear history": ["(a)Pinion", "Weardepthatthedeepestplace(µm)", "Revolutionsofthepinion(10⁹)", "with,100°C"],
+    "contact temperature": [
+        "Flashtemperaturerise(K)",
+        "Coefficientoffriction(1)",
+        "(d)Filmthicknessoverroughness",
+        "pitchpoint",
+    ],
+    "load sharing": ["(a)Staticmeshforce", "(b)Dynamicmeshforce", "Loadofthepair|overmeanmeshforce"],
+    "mesh force": ["Dynamicmeshforce(kN)", "Amplitude(N)", "Orderofthemeshfrequency", "(c)100°C,2.1×10⁹cycles:P2"],
+    "exponents": ["(a)Case“without”", "(d)Case“with”", "LargestLyapunovexponent(perunitofdimensionlesstime)"],
 }
 
 
+def texts_of(figure):
+    """Yield what is written on a figure, the labels of ticks beyond the limits left out, and the box of each."""
+    for text in figure.findobj(Text):
+        if text.get_text().strip() and text.get_visible():
+            yield text, text.get_window_extent().padded(-0.5)
+
+
+def hidden_labels(figure):
+    """Return the labels of ticks that are not drawn."""
+    ticks = [
+        (axis, tick) for axes in figure.axes for axis in (axes.xaxis, axes.yaxis) for tick in axis.get_major_ticks()
+    ]
+    return {
+        label
+        for axis, tick in ticks
+        for label in (tick.label1, tick.label2)
+        if not min(axis.get_view_interval()) <= tick.get_loc() <= max(axis.get_view_interval())
+    }
+
+
+def assert_readable(figure):
+    """Assert that no text is too small, runs off the sheet or stands on another."""
+    with matplotlib.style.context(STYLE, after_reset=True):
+        figure.draw_without_rendering()
+        hidden = hidden_labels(figure)
+        written = [(text, box) for text, box in texts_of(figure) if text not in hidden]
+    assert len(written) > 10
+    assert min(text.get_fontsize() for text, _ in written) >= 6
+    left, bottom, right, top = figure.bbox.extents
+    inside = [left <= box.x0 <= box.x1 <= right and bottom <= box.y0 <= box.y1 <= top for _, box in written]
+    assert [text.get_text() for (text, _), whole in zip(written, inside, strict=True) if not whole] == []
+    over = [(a.get_text(), b.get_text()) for (a, one), (b, other) in combinations(written, 2) if one.overlaps(other)]
+    assert over == []
+
+
 @pytest.mark.parametrize("number", WORDS)
-def test_figure_is_written_with_its_words_and_the_same_bytes_twice(results, tmp_path, number):
+def test_figure_is_written_with_its_words_legible_and_the_same_bytes_twice(results, tmp_path, monkeypatch, number):
+    sheets = []
+    monkeypatch.setattr(sheet, "Figure", lambda **settings: sheets.append(Figure(**settings)) or sheets[-1])
     svg, png = plot(results, tmp_path / "first", number)
     again = plot(results, tmp_path / "second", number)
     assert [svg.read_bytes(), png.read_bytes()] == [path.read_bytes() for path in again]
@@ -257,6 +344,7 @@ def test_figure_is_written_with_its_words_and_the_same_bytes_twice(results, tmp_
     missing = [word for word in [*WORDS[number], "°C"] if word not in words]
     assert missing == []
     assert sorted(path.name for path in svg.parent.iterdir()) == ["figure.png", "figure.svg"]
+    assert_readable(sheets[0])
 
 
 def test_every_state_of_the_diagonal_is_named_with_temperature_and_cycles(results, tmp_path):
@@ -305,3 +393,23 @@ def test_a_figure_without_portraits_is_refused_with_the_key_to_fill():
     assert portraits.height(0) == portraits.height(1)
     with pytest.raises(ValueError, match="portraits.ste"):
         portraits.draw(None, empty, {"sweep": "ste"})
+
+
+def test_load_of_a_pair_is_its_share_of_every_period_and_nothing_where_the_mesh_is_open():
+    load = importlib.import_module("plot_load_sharing").dynamic_load
+    geometry = xr.Dataset({"partner": ("path", [1, 0, -1])})
+    stiffness = {"pair_stiffness": [3e8, 1e8, 2e8], "pair_coupling": [0.0, 0.0, 0.0]}
+    transmission = {"sharing_error": [0.0, 0.0, 0.0], "load_share_path": [0.75, 0.25, 1.0]}
+    made = [xr.Dataset({name: ("path", values) for name, values in one.items()}) for one in (stiffness, transmission)]
+    force = ("response_period", "path"), [[4e3, 4e3, 6e3], [-8e3, 4e3, 2e3]]
+    response = xr.Dataset({"mesh_force_path": force, "mean_force": 4e3})
+    assert load(geometry, *made, response).values == pytest.approx([0.375, 0.25, 1.0])
+
+
+def test_the_spectrum_is_summed_over_cells_whose_edges_meet(states, loaded):
+    geometry = loaded(states("without"), "geometry")
+    nodes, phase, weight = importlib.import_module("plot_mesh_force").cells(geometry)
+    assert geometry["path_phase"].values[nodes] == pytest.approx(phase, abs=1e-12)
+    assert weight.sum() == pytest.approx(1)
+    assert phase[2:-1:3] == pytest.approx(phase[3::3])
+    assert (phase[0], phase[-1]) == pytest.approx((0, 1), abs=1e-12)

@@ -24,6 +24,7 @@ RULE_OF_FOLDER = {
     "figures": "figures",
 }
 CLAIMS = {"results/claims.csv", "results/claims.html"}
+PARAMETERS = {"results/parameters.csv", "results/parameters.html"}  # follow every change
 CHANGED_VALUES = {
     "gear_pair.face_width": 0.017,
     "material.pinion.density": 7800.0,
@@ -77,7 +78,15 @@ def overlay(project, key: str, value) -> Path:
 
 
 def plan_after(project, key, value) -> set[str]:
-    return project.planned("--configfile", "config/config.yaml", "config/smoke.yaml", overlay(project, key, value).name)
+    """Return what is made anew, the list of parameters left out."""
+    changed = overlay(project, key, value).name
+    planned = project.planned("--configfile", "config/config.yaml", "config/smoke.yaml", changed)
+    assert planned >= PARAMETERS
+    return planned - PARAMETERS
+
+
+def pictures(*names: str) -> set[str]:
+    return {f"results/figures/{name}.{kind}" for name in names for kind in ("svg", "png")}
 
 
 def test_second_run_plans_nothing(smoke_run):
@@ -107,7 +116,8 @@ def test_changed_value_reruns_what_it_reaches(smoke_run, key):
 def test_bulk_temperature_of_a_case_reruns_only_this_case(smoke_run):
     planned = plan_after(smoke_run, "cases.n0700_t060.bulk_temperature", 61.0)
     own = {path for path in planned if path.startswith("results/n0700_t060/")}
-    shared = {f"results/figures/fig{n:02d}.{kind}" for n in range(6, 12) for kind in ("svg", "png")}
+    extra = ("wear_history", "contact_temperature", "load_sharing", "mesh_force")
+    shared = pictures(*(f"fig{number:02d}" for number in range(6, 12)), *extra)
     assert own and planned - own == shared | CLAIMS
     assert "results/n0700_t060/wear/q000.nc" not in planned
 
@@ -115,7 +125,7 @@ def test_bulk_temperature_of_a_case_reruns_only_this_case(smoke_run):
 def test_longer_life_adds_only_the_new_cycle_and_what_reads_the_last(smoke_run):
     planned = plan_after(smoke_run, "cases.wear_only.running_cycles", 3.0e8)
     added = {f"results/wear_only/{stage}/q003.nc" for stage in list(RULE_OF_FOLDER)[:5]}
-    assert planned == added | CLAIMS
+    assert planned == added | pictures("wear_history") | CLAIMS
 
 
 def test_comment_and_key_order_rerun_nothing(smoke_run):

@@ -11,6 +11,7 @@ PACKAGES = (
     "xarray",
 )
 STYLE = str(Path(workflow.basedir) / "workflow" / "report" / "gearwear.mplstyle")
+TABLE = str(Path(workflow.basedir) / "workflow" / "report" / "table.html.j2")
 CLAIMS = str(Path(workflow.basedir) / "config" / "paper_claims.yaml")
 
 
@@ -105,13 +106,40 @@ def caption(figure):
     return str(Path(workflow.basedir) / "workflow" / "report" / f"{figure}.rst")
 
 
-rule list_versions:
+rule list_parameters:
+    input:
+        template=TABLE,
     output:
-        report(
-            "results/versions.csv",
+        csv="results/parameters.csv",
+        html=report(
+            "results/parameters.html",
+            caption=caption("parameters"),
+            category="Study",
+            labels={"table": "parameters"},
+        ),
+    log:
+        "results/logs/list_parameters.log",
+    benchmark:
+        "results/benchmarks/list_parameters.tsv"
+    params:
+        cfg=config,
+        code=code("list_parameters.py"),
+    message:
+        "Listing the values of the configuration."
+    script:
+        "../scripts/list_parameters.py"
+
+
+rule list_versions:
+    input:
+        template=TABLE,
+    output:
+        csv="results/versions.csv",
+        html=report(
+            "results/versions.html",
             caption=caption("versions"),
             category="Study",
-            labels={"figure": "versions"},
+            labels={"table": "versions"},
         ),
     log:
         "results/logs/list_versions.log",
@@ -135,7 +163,7 @@ rule judge_claims:
             "results/claims.csv",
             caption=caption("claims"),
             category="Claims of the paper",
-            labels={"figure": "table"},
+            labels={"form": "table, to download"},
         ),
     log:
         "results/logs/judge_claims.log",
@@ -161,7 +189,7 @@ rule show_claims:
             "results/claims.html",
             caption=caption("claims"),
             category="Claims of the paper",
-            labels={"figure": "scorecard"},
+            labels={"form": "scorecard"},
         ),
     log:
         "results/logs/show_claims.log",
@@ -186,7 +214,7 @@ rule plot_wear:
             "results/figures/fig06.svg",
             caption=caption("fig06"),
             category="Flanks",
-            labels={"figure": "6"},
+            labels={"figure": "Fig. 06: wear depth"},
         ),
         png="results/figures/fig06.png",
     log:
@@ -212,7 +240,7 @@ rule plot_growth:
             "results/figures/fig07.svg",
             caption=caption("fig07"),
             category="Flanks",
-            labels={"figure": "7"},
+            labels={"figure": "Fig. 07: thermal growth"},
         ),
         png="results/figures/fig07.png",
     log:
@@ -239,7 +267,7 @@ rule plot_stiffness:
             "results/figures/fig08.svg",
             caption=caption("fig08"),
             category="Excitations",
-            labels={"figure": "8"},
+            labels={"figure": "Fig. 08: mesh stiffness"},
         ),
         png="results/figures/fig08.png",
     log:
@@ -265,7 +293,7 @@ rule plot_error:
             "results/figures/fig09.svg",
             caption=caption("fig09"),
             category="Excitations",
-            labels={"figure": "9"},
+            labels={"figure": "Fig. 09: transmission error"},
         ),
         png="results/figures/fig09.png",
     log:
@@ -293,7 +321,7 @@ rule plot_growth_share:
             "results/figures/fig10.svg",
             caption=caption("fig10"),
             category="Excitations",
-            labels={"figure": "10"},
+            labels={"figure": "Fig. 10: growth, deflection and wear"},
         ),
         png="results/figures/fig10.png",
     log:
@@ -319,7 +347,7 @@ rule plot_backlash:
             "results/figures/fig11.svg",
             caption=caption("fig11"),
             category="Excitations",
-            labels={"figure": "11"},
+            labels={"figure": "Fig. 11: backlash"},
         ),
         png="results/figures/fig11.png",
     log:
@@ -360,7 +388,7 @@ rule plot_frequency_sweep:
             "results/figures/fig12.svg",
             caption=caption("fig12"),
             category="Dynamics",
-            labels={"figure": "12"},
+            labels={"figure": "Fig. 12: diagram over the mesh frequency"},
         ),
         png="results/figures/fig12.png",
     log:
@@ -393,7 +421,7 @@ rule plot_portraits_cold:
             "results/figures/fig13.svg",
             caption=caption("fig13"),
             category="Dynamics",
-            labels={"figure": "13"},
+            labels={"figure": "Fig. 13: portraits over the mesh frequency, cold"},
         ),
         png="results/figures/fig13.png",
     log:
@@ -422,7 +450,9 @@ rule plot_portraits_hot:
             "results/figures/fig14.svg",
             caption=caption("fig14"),
             category="Dynamics",
-            labels={"figure": "14"},
+            labels={
+                "figure": "Fig. 14: portraits over the mesh frequency, hot and worn"
+            },
         ),
         png="results/figures/fig14.png",
     log:
@@ -467,7 +497,7 @@ rule plot_ste_sweep:
             "results/figures/fig15.svg",
             caption=caption("fig15"),
             category="Dynamics",
-            labels={"figure": "15"},
+            labels={"figure": "Fig. 15: diagram over the transmission error"},
         ),
         png="results/figures/fig15.png",
     log:
@@ -497,7 +527,7 @@ rule plot_portraits_ste:
             "results/figures/fig16.svg",
             caption=caption("fig16"),
             category="Dynamics",
-            labels={"figure": "16"},
+            labels={"figure": "Fig. 16: portraits over the transmission error"},
         ),
         png="results/figures/fig16.png",
     log:
@@ -538,7 +568,7 @@ rule plot_backlash_sweep:
             "results/figures/fig17.svg",
             caption=caption("fig17"),
             category="Dynamics",
-            labels={"figure": "17"},
+            labels={"figure": "Fig. 17: diagram over the backlash"},
         ),
         png="results/figures/fig17.png",
     log:
@@ -570,7 +600,7 @@ rule plot_portraits_backlash:
             "results/figures/fig18.svg",
             caption=caption("fig18"),
             category="Dynamics",
-            labels={"figure": "18"},
+            labels={"figure": "Fig. 18: portraits over the backlash"},
         ),
         png="results/figures/fig18.png",
     log:

@@ -1,19 +1,15 @@
 """The versions of the packages that a run was made with."""
 
-import csv
 from typing import TYPE_CHECKING
 
-from gearwear.plumbing import stage, store
+from gearwear.plumbing import stage, tables
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
 
 
 def main(job):
-    with store.atomic(job.output[0]) as temporary, open(temporary, "w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(("package", "version"))
-        writer.writerows(sorted(job.params.cfg.items()))
+    tables.write(job, "versions", ("package", "version"), sorted(job.params.cfg.items()))
 
 
 if __name__ == "__main__":

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from matplotlib.colors import TwoSlopeNorm, to_rgb
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
-from gearwear.drawing import motion_classes, states, swept
+from gearwear.drawing import exponents, motion_classes, states, swept
 from gearwear.drawing.sheet import letter
 
 HEIGHT = 92.0  # mm
@@ -21,8 +21,6 @@ _ROWS = {
     "wear": ("running_cycles", "Revolutions of the pinion, 10⁹", 1e-9),
 }
 _COLOURS = "RdBu_r"
-_LEAST_SPAN = 1e-3
-_LOWEST_PERCENTILE = 2.0  # of the exponents; a few strongly contracting points would take all the colours
 
 
 def draw(figure: Figure, plane: xr.Dataset, cfg: dict[str, Any]) -> None:
@@ -41,11 +39,8 @@ def draw(figure: Figure, plane: xr.Dataset, cfg: dict[str, Any]) -> None:
     colours = np.array([to_rgb(motion_classes.colour(name)) for name in names])
     classes.pcolormesh(*edges, colours[which.reshape(plane["motion_class"].shape)], rasterized=True)
     values = plane["lyapunov_exponent"].values
-    known = values[np.isfinite(values)]
-    if known.size:
-        lowest = min(np.percentile(known, _LOWEST_PERCENTILE), -_LEAST_SPAN)
-        span = TwoSlopeNorm(0.0, lowest, max(known.max(), _LEAST_SPAN))
-        drawn = exponent.pcolormesh(*edges, values, norm=span, cmap=_COLOURS, rasterized=True)
+    if np.isfinite(values).any():
+        drawn = exponent.pcolormesh(*edges, values, norm=exponents.norm(values), cmap=_COLOURS, rasterized=True)
         figure.colorbar(drawn, ax=exponent, extend="min", aspect=30)
     classes.set_ylabel(label)
     for position, (axes, title) in enumerate(((classes, "motion class"), (exponent, "largest Lyapunov exponent"))):

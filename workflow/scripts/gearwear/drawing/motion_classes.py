@@ -11,7 +11,7 @@ from matplotlib.patches import Patch, Rectangle
 from gearwear.plumbing.fields import MOTION_CLASSES
 
 _NAMES = {code: name for name, code in MOTION_CLASSES.items()}
-# Okabe and Ito (2008), safe for colour-blind readers.
+# Okabe and Ito (2008), safe for colour-blind readers; a lighter grey would look like QP to those who see no green.
 _COLOURS = {
     "P1": "#0072B2",
     "P2": "#56B4E9",
@@ -22,9 +22,9 @@ _COLOURS = {
     "QP": "#CC79A7",
     "CH": "#D55E00",
 }
-_OTHER_PERIOD, _UNDECIDED = "#9A9A9A", "#FFFFFF"
+_OTHER_PERIOD, _UNDECIDED = "#505050", "#FFFFFF"
 _WORDS = {"CH": "chaotic", "QP": "quasi-periodic", "not_converged": "not decided"}
-_DARK = ("P1", "P4", "P8", "CH")
+_BRIGHT = ("P2", "P3", "P6", "QP", "not_converged")
 _OTHER = "other period"
 _LEAST_WIDTH = 0.022  # of the axis, room for two letters
 
@@ -59,7 +59,7 @@ def draw_strip(axes: Axes, row: float, zones: Iterable[tuple[float, float, str]]
     for low, high, name in zones:
         axes.add_patch(Rectangle((low, row + 0.06), high - low, 0.88, linewidth=0, **_fill(name)))
         if high - low > _LEAST_WIDTH * (right - left):
-            tint = "white" if name in _DARK else "black"
+            tint = "black" if name in _BRIGHT else "white"
             middle = (low + high) / 2
             axes.text(middle, row + 0.47, short(name), ha="center", va="center_baseline", color=tint, fontsize=6)
 

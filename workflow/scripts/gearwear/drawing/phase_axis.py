@@ -21,11 +21,11 @@ def draw(axes: Axes, geometry: xr.Dataset, values: np.ndarray, **line) -> None:
     axes.plot(np.concatenate([once + period for period in range(PERIODS)]), np.tile(one, PERIODS), **line)
 
 
-def mark(axes: Axes, geometry: xr.Dataset) -> None:
+def mark(axes: Axes, geometry: xr.Dataset, periods: int = PERIODS) -> None:
     """Shade the zones of single contact and set limits and label of the axis."""
     leaves = float(geometry["contact_ratio"]) - 1
-    for period in range(PERIODS):
+    for period in range(periods):
         shade_single_contact(axes, period + leaves, period + 1)
-    axes.set_xlim(0, PERIODS)
-    axes.set_xticks(np.arange(2 * PERIODS + 1) / 2)
+    axes.set_xlim(0, periods)
+    axes.set_xticks(np.arange(periods + 1) if periods > PERIODS else np.arange(2 * periods + 1) / 2)
     axes.set_xlabel("Mesh periods since a pair entered")

@@ -53,7 +53,7 @@ def draw(figure: Figure, portraits: xr.Dataset, cfg: dict[str, Any]) -> None:
         axes.set_title(f"{motion}, {_signed(float(portrait['lyapunov_exponent']))}", loc="right")
     unit = swept.length_unit(cfg["sweep"], cfg["swept"])
     figure.supxlabel(f"Displacement over {unit}")
-    figure.supylabel(f"Velocity over {unit} times natural frequency")
+    figure.supylabel(f"Velocity over {unit}\ntimes natural frequency", multialignment="center")
     fixed = swept.condition(cfg["sweep"], cfg["swept"])
     lines = [
         Line2D([], [], color=_ORBIT, label="orbit"),

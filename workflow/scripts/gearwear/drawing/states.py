@@ -24,6 +24,11 @@ def name(state: dict[str, Any]) -> str:
     return f"{temperature(state)}, {cycles(state)}"
 
 
+def in_words(state: dict[str, Any]) -> str:
+    """Return the case and its bulk temperature, for histories, whose abscissa holds the cycles."""
+    return f"{state['case']}, {temperature(state)}"
+
+
 def case(state: dict[str, Any]) -> str:
     """Return a title that names the case and its state."""
     return f"Case “{state['case']}”: {name(state)}"

@@ -69,8 +69,18 @@ def table_text(defaults: dict[str, Any], stages: Mapping[str, tuple[str, ...]]) 
             "| key | unit | allowed | default | meaning | re-runs |",
             "| --- | --- | --- | --- | --- | --- |",
         ]
-        lines += [_row(path, leaf, defaults, stages) for path, leaf in _leaves() if path[0] == name]
+        lines += [_row(path, leaf, defaults, stages) for path, leaf in leaves() if path[0] == name]
     return "\n".join(lines) + "\n"
+
+
+def leaves() -> Iterator[tuple[tuple[str, ...], FieldInfo]]:
+    """Yield path and declaration of every key that holds a value; free names appear as placeholders."""
+    for path, field in keys(Configuration):
+        entry = entry_type(field.annotation)
+        if entry is not None and not is_section(entry):
+            yield (*path, placeholder(field)), field
+        elif entry is None and not is_section(field.annotation):
+            yield path, field
 
 
 def write(root: Path = ROOT) -> None:
@@ -91,15 +101,6 @@ def _without_titles(schema: Any) -> Any:
         for key, value in schema.items()
         if not (key == "title" and isinstance(value, str)) and key not in ("decides_targets", "entries")
     }
-
-
-def _leaves() -> Iterator[tuple[tuple[str, ...], FieldInfo]]:
-    for path, field in keys(Configuration):
-        entry = entry_type(field.annotation)
-        if entry is not None and not is_section(entry):
-            yield (*path, placeholder(field)), field
-        elif entry is None and not is_section(field.annotation):
-            yield path, field
 
 
 def _row(

@@ -1,0 +1,22 @@
+import csv
+from types import SimpleNamespace
+
+from gearwear.plumbing import tables
+from gearwear.plumbing.closure import SCRIPTS
+
+ROWS = [("a.key", "1.5", "m", "length of < and &"), ("list", "[1, 2]", "-", 'two, "quoted"')]
+
+
+def test_a_table_is_written_as_csv_and_as_a_page_of_its_own(tmp_path):
+    template = str(SCRIPTS.parent / "report" / "table.html.j2")
+    output = SimpleNamespace(csv=str(tmp_path / "table.csv"), html=str(tmp_path / "table.html"))
+    job = SimpleNamespace(input=SimpleNamespace(template=template), output=output)
+    tables.write(job, "parameters", ("key", "value", "unit", "meaning"), iter(ROWS))
+    with open(output.csv, newline="") as file:
+        assert [tuple(row) for row in csv.reader(file)] == [("key", "value", "unit", "meaning"), *ROWS]
+    page = (tmp_path / "table.html").read_text(encoding="utf-8")
+    assert "<h1>Parameters</h1>" in page
+    assert page.count("<tr>") == 3
+    assert "length of &lt; and &amp;" in page
+    assert "http" not in page
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["table.csv", "table.html"]

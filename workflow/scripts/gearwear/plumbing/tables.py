@@ -1,0 +1,29 @@
+"""A table as CSV and as a page that needs no other file."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+import jinja2
+
+from gearwear.plumbing import store
+
+
+def write(job, title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
+    """Write the table as the outputs of `job`; all text on the page is escaped.
+
+    Parameters
+    ----------
+    job : object with `input.template` (Jinja), `output.csv` and `output.html`.
+    title : of the page.
+    columns, rows : of the table.
+    """
+    rows = list(rows)
+    environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
+    template = environment.from_string(Path(job.input.template).read_text(encoding="utf-8"))
+    with store.atomic(job.output.csv) as table, store.atomic(job.output.html) as page:
+        with open(table, "w", encoding="utf-8", newline="") as file:
+            csv.writer(file, lineterminator="\n").writerows([columns, *rows])
+        Path(page).write_text(template.render(title=title, columns=columns, rows=rows), encoding="utf-8")

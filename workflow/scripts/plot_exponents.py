@@ -1,0 +1,22 @@
+"""Sections of all sweeps, coloured by the largest Lyapunov exponent."""
+
+from typing import TYPE_CHECKING
+
+from gearwear.drawing import exponents
+from gearwear.drawing.sheet import DOUBLE, sheet
+from gearwear.plumbing import stage, store
+
+if TYPE_CHECKING:
+    from snakemake.iocontainers import snakemake
+
+
+def main(job):
+    panels = job.params.cfg["panels"]
+    sweeps = [store.load(path) for path in job.input.sweeps]
+    with sheet(job, DOUBLE, 22 + 58 * -(-len(panels) // 2)) as figure:
+        exponents.draw(figure, list(zip(sweeps, panels, strict=True)))
+
+
+if __name__ == "__main__":
+    with stage.logged(snakemake, __file__):
+        main(snakemake)
