@@ -2,18 +2,14 @@
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-import xarray as xr
-
 from gearwear.geometry.contact_path import contact_path
 from gearwear.geometry.involute import GEARS, equivalent_mass, gear_pair
+from gearwear.geometry.record import dataset
 from gearwear.mesh.foundation import fit_warnings
 from gearwear.plumbing import stage, store
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
-
-ON_GRID = {"path": "path", "path_phase": "path", "partner": "path"}
 
 
 def main(job):
@@ -27,12 +23,8 @@ def main(job):
     for i, name in enumerate(GEARS):
         for sentence in fit_warnings(pair.root_radius[i] / pair.bore_radius[i], pair.rack_root_angle[i], name):
             stage.announce(f"warning: {sentence}")
-    values = {"gear": list(GEARS), "moment_of_inertia": ("gear", moments), "equivalent_mass": mass}
-    for name, value in pair._asdict().items():
-        values[name] = ("gear", value) if np.ndim(value) else value
-    for name, value in mesh._asdict().items():
-        values[name] = (ON_GRID.get(name, "mesh_phase"), value) if np.ndim(value) else value
-    store.save(xr.Dataset(values).set_coords(["gear", "path", "mesh_phase"]), job)
+    values = {"moment_of_inertia": ("gear", moments), "equivalent_mass": mass}
+    store.save(dataset(pair, mesh).assign(values), job)
 
 
 if __name__ == "__main__":
