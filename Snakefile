@@ -22,6 +22,7 @@ include: "workflow/rules/sweeps.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/maps.smk"
 include: "workflow/rules/onsets.smk"
+include: "workflow/rules/validation.smk"
 
 
 rule all:
@@ -44,3 +45,9 @@ rule onsets:
     input:
         "results/onsets.csv",
         "results/figures/onsets.svg",
+
+
+rule validation:
+    input:
+        "results/validation/validation.csv",
+        "results/validation/validation.html",
