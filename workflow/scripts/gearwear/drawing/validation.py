@@ -70,8 +70,8 @@ def _draw_strip(axes: Axes, outcomes: Sequence[Outcome]) -> None:
     for row, outcome in enumerate(outcomes):
         check = outcome.check
         off = np.subtract(outcome.found, check.expected)
-        over = np.divide(off, check.tolerance, out=np.sign(off) * np.inf, where=np.array(check.tolerance) > 0)
-        over[off == 0] = 0.0
+        beyond = np.where(off == 0, 0.0, np.copysign(np.inf, off))  # where no tolerance is given
+        over = np.divide(off, check.tolerance, out=beyond, where=np.array(check.tolerance) > 0)
         good, shown = np.array(outcome.agreements), np.clip(over, -_FARTHEST, _FARTHEST)
         axes.plot(shown[good], np.full(good.sum(), row), "o", color=_AGREES, markersize=2.6, markeredgewidth=0)
         axes.plot(shown[~good], np.full((~good).sum(), row), "X", color=_DIFFERS, markersize=4.0, markeredgewidth=0)

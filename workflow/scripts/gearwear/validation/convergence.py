@@ -13,7 +13,7 @@ from gearwear.validation.pairs import geometry_of
 from gearwear.validation.stiffness import mesh_of
 from gearwear.validation.wear import worn_mesh
 
-_FINEST_RULE, _FINEST_GRID = 96, 1920
+_FINEST_RULE, _FINEST_GRID = 96, 960
 
 
 def gauss_points(pair: dict, points: float) -> float:
