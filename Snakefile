@@ -24,6 +24,7 @@ include: "workflow/rules/extra_figures.smk"
 include: "workflow/rules/maps.smk"
 include: "workflow/rules/onsets.smk"
 include: "workflow/rules/sensitivity.smk"
+include: "workflow/rules/validation.smk"
 
 
 rule all:
@@ -54,3 +55,9 @@ rule sensitivity:
     input:
         "results/sensitivity.csv",
         "results/figures/sensitivity.svg",
+
+
+rule validation:
+    input:
+        "results/validation/validation.csv",
+        "results/validation/validation.html",

@@ -9,21 +9,19 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from gearwear.dynamics.oscillator import Oscillator
-from gearwear.dynamics.periodic import Harmonics
 from gearwear.orbits.branches import Seed, explore
 from gearwear.orbits.codes import FOLD, PERIOD_DOUBLING
 from gearwear.orbits.continuation import Limits
 from gearwear.orbits.return_map import return_maps
+from gearwear.validation.oscillator import oscillator_of
 
 
 def set_of_1991(frequency):
-    stiffness = Harmonics(1.0, (-0.2, -0.1, -0.05), (0.0, 0.0, 0.0))
-    return Oscillator(frequency, 0.05, 0.1, stiffness, Harmonics(0.0, (0.01, 0.004, 0.002), (0.0, 0.0, 0.0)))
+    return oscillator_of(frequency, 0.05, 0.1, (-0.2, -0.1, -0.05), (0.01, 0.004, 0.002))
 
 
 def large_fluctuation(frequency):
-    return Oscillator(frequency, 0.1, 0.1, Harmonics(1.0, (-0.4,), (0.0,)), Harmonics(0.0, (0.1,), (0.0,)))
+    return oscillator_of(frequency, 0.1, 0.1, (-0.4,), (0.1,))
 
 
 def values(branch, kind):

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
 import xarray as xr
 
 from gearwear.geometry.contact_path import contact_path
 from gearwear.geometry.involute import GEARS, equivalent_mass, gear_pair
+from gearwear.geometry.record import dataset
 from gearwear.mesh.foundation import fit_warnings
-
-_ON_GRID = {"path": "path", "path_phase": "path", "partner": "path"}
 
 
 def geometry(cfg: dict[str, Any]) -> xr.Dataset:
@@ -27,12 +25,7 @@ def geometry(cfg: dict[str, Any]) -> xr.Dataset:
     pair = gear_pair(**settings)
     mesh = contact_path(pair, cfg["grid"]["mesh_cells"])
     moments, mass = equivalent_mass(pair, density, inertia)
-    values = {"gear": list(GEARS), "moment_of_inertia": ("gear", moments), "equivalent_mass": mass}
-    for name, value in pair._asdict().items():
-        values[name] = ("gear", value) if np.ndim(value) else value
-    for name, value in mesh._asdict().items():
-        values[name] = (_ON_GRID.get(name, "mesh_phase"), value) if np.ndim(value) else value
-    return xr.Dataset(values).set_coords(["gear", "path", "mesh_phase"])
+    return dataset(pair, mesh).assign({"moment_of_inertia": ("gear", moments), "equivalent_mass": mass})
 
 
 def beyond_fits(pair: xr.Dataset) -> list[str]:

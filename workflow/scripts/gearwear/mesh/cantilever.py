@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(32)
+POINTS = 32  # of the Gauss rule
 
 
 class ToothCompliance(NamedTuple):
@@ -36,6 +36,7 @@ def tooth_compliance(
     section_change: Callable[[np.ndarray], np.ndarray] | None = None,
     root_ratio: float | None = None,
     section_breaks: tuple[float, ...] = (),
+    points: int = POINTS,
 ) -> ToothCompliance:
     """Return the compliances of a tooth clamped at the base circle, or at the root circle.
 
@@ -49,6 +50,7 @@ def tooth_compliance(
         thickness over r_b; None means none.
     root_ratio : r_f/r_b clamps the tooth at the root circle; None clamps it at the base circle.
     section_breaks : section angles (rad) where H jumps; the integrals are split there.
+    points : of the Gauss rule on each part.
 
     Notes
     -----
@@ -64,8 +66,9 @@ def tooth_compliance(
     marks = np.broadcast_to(np.sort([*section_breaks, upper]), (len(load_angles), len(section_breaks) + 1))
     edges = np.concatenate([-a1, np.clip(marks, -a1, upper)], axis=1)
     half_range = np.diff(edges)[:, :, None] / 2
-    a = (edges[:, :-1, None] + half_range * (_NODES + 1)).reshape(len(load_angles), -1)
-    weights = (half_range * _WEIGHTS).reshape(a.shape)
+    nodes, rule = np.polynomial.legendre.leggauss(points)
+    a = (edges[:, :-1, None] + half_range * (nodes + 1)).reshape(len(load_angles), -1)
+    weights = (half_range * rule).reshape(a.shape)
     thickness = np.sin(a) + (a2 - a) * np.cos(a)
     if section_change is not None:
         thickness = thickness + section_change(a)
