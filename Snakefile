@@ -22,6 +22,7 @@ include: "workflow/rules/sweeps.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/maps.smk"
 include: "workflow/rules/onsets.smk"
+include: "workflow/rules/calibration.smk"
 
 
 rule all:
@@ -44,3 +45,10 @@ rule onsets:
     input:
         "results/onsets.csv",
         "results/figures/onsets.svg",
+
+
+rule calibrate:
+    input:
+        "results/calibration/parameters.csv",
+        "results/calibration/claims.csv",
+        "results/figures/calibration.svg",

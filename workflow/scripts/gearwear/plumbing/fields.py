@@ -247,4 +247,20 @@ FIELDS: dict[str, Field] = {
     "member_how_with": Field("", "how the sweep of case with meets the event", _MEMBERS, HOW),
     "member_remark_without": Field("", "the same in words", _MEMBERS),
     "member_remark_with": Field("", "the same in words", _MEMBERS),
+    # calibration
+    "claim": Field("", "statement of the paper about the motion", (("claim",),)),
+    "sweep": Field("", "swept quantity", (("sweep",),)),
+    "quantity": Field("", "parameter of the oscillator of case with", (("quantity",),)),
+    "candidate_value": Field(
+        "", "value of a parameter of the search, in the unit of its key", (("candidate", "parameter"),)
+    ),
+    "claim_agrees": Field("1", "1 where a candidate agrees with a claim in the quick look", (("candidate", "claim"),)),
+    "candidate_merit": Field("1", "claims that agree, plus how far each is from agreeing", (("candidate",),)),
+    "candidate_remark": Field("", "why a candidate cannot be computed, empty if it can", (("candidate",),)),
+    "candidate_agreements": Field("1", "claims about a sweep that agree", (("candidate", "sweep"),)),
+    "sweep_of_claim": Field("", "swept quantity that a claim is about", (("claim",),)),
+    "claims_of_sweep": Field("1", "claims about a sweep", (("sweep",),)),
+    "member_value": Field("", "value of a parameter, in the unit of its key", (("member", "parameter"),)),
+    "member_agrees": Field("1", "1 where a member agrees with a claim, computed in full", (("member", "claim"),)),
+    "member_oscillator": Field("", "parameter of the oscillator of case with, 1 or rad", (("member", "quantity"),)),
 }

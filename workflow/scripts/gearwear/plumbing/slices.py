@@ -1,6 +1,7 @@
 """Which configuration keys each stage reads: the contract behind every re-run.
 
-`case` stands for the entry of the case at hand in `cases`, `{sweep}` for the name of a sweep.
+`case` stands for the entry of the case at hand in `cases`, `{sweep}` for the name of a sweep, `{reference}` for that of
+the reference case.
 """
 
 from __future__ import annotations
@@ -56,6 +57,27 @@ STAGES: dict[str, tuple[str, ...]] = {
     "map_wear": (*_EXCITED, "maps.mesh_frequency"),
     "onsets": (*_EXCITED, "sweeps.order", "onsets.refinement"),
     "onset_shifts": ("sweeps.order", "onsets.members", "onsets.box"),
+    "calibration": (
+        "gear_pair",
+        "grid",
+        "material",
+        "elasticity",
+        "operation",
+        "lubricant",
+        "friction",
+        "heat",
+        "mesh_stiffness",
+        "transmission_error",
+        "backlash",
+        "wear",
+        "dynamics",
+        "settling",
+        "cases.without",
+        "cases.with",
+        "cases.{reference}",
+        "sweeps",
+        "calibration",
+    ),
     "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
     "basins": (
         *_EXCITED,
@@ -83,7 +105,7 @@ def slice_of(config: dict, stage: str, case: str = "", sweep: str = "") -> dict[
         wanted.append("operation.pinion_torque")
     cut: dict[str, Any] = {}
     for dotted in wanted:
-        path = dotted.format(case=case, sweep=sweep).split(".")
+        path = dotted.format(case=case, sweep=sweep, reference=config["dynamics"]["reference_case"]).split(".")
         source: Any = {**config, "case": config["cases"].get(case)}
         target = cut
         for name in path[:-1]:

@@ -46,9 +46,11 @@ _MADE_BY = {
     "onsets": ("locate_onsets",),
     "onset_variants": ("vary_onsets",),
     "onset_shifts": ("compare_onsets",),
+    "searches": ("search_parameters",),
+    "calibration": ("compare_candidates",),
 }
 
-_SINGLE = ("geometry", "onsets", "onset_variants", "onset_shifts")  # names of nothing else
+_SINGLE = ("geometry", "onsets", "onset_variants", "onset_shifts", "calibration")  # names of nothing else
 
 
 def load(path: str | Path) -> xr.Dataset:
@@ -92,7 +94,7 @@ def _makers(path: Path) -> tuple[str, ...]:
     folder, above = path.parent.name, path.parent.parent.name
     if re.fullmatch(r"\d+-of-\d+", path.stem):
         return _MADE_BY["tiles" if above == "tiles" else "parts"]
-    if re.fullmatch(r"q\d{3}", path.stem) or folder in ("branches", "portraits", "basins", "maps"):
+    if re.fullmatch(r"q\d{3}", path.stem) or folder in ("branches", "portraits", "basins", "maps", "searches"):
         return _MADE_BY.get(folder, ())
     if above == "sweeps" and folder in ("restart", "up", "down"):
         return _MADE_BY[folder]

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from gearwear.plumbing.basin_sections import Basins
+from gearwear.plumbing.calibration_sections import Calibration
 from gearwear.plumbing.gear_sections import (
     Backlash,
     Elasticity,
@@ -284,4 +285,5 @@ class Configuration(Section):
     basins: Basins
     figures: Figures
     onsets: Onsets
+    calibration: Calibration
     studies: dict[CaseName, Study] = table("Studies made of members.", "studies")

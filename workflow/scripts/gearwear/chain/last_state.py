@@ -1,0 +1,50 @@
+"""The last state of a case, its whole wear chain run in one process by the functions of the stages."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import xarray as xr
+
+from gearwear.chain.backlash import backlash
+from gearwear.chain.deformation import deformation
+from gearwear.chain.pristine import unworn
+from gearwear.chain.response import response
+from gearwear.chain.sharing import transmission_error
+from gearwear.chain.stiffness import mesh_stiffness
+from gearwear.chain.temperature import temperature
+from gearwear.chain.wear import worn
+
+
+def last_state(
+    config: dict[str, Any], geometry: xr.Dataset, case: str, reference: xr.Dataset | None = None
+) -> xr.Dataset:
+    """Return wear, mesh stiffness, transmission error and backlash of a case after its last wear cycle.
+
+    Parameters
+    ----------
+    config : the sections that the stages of the chain read.
+    reference : the same of the pristine reference case; not needed by a case that does not wear.
+
+    Raises
+    ------
+    ValueError : the settings lead to a state that cannot be.
+    """
+    cfg = config | {"case": config["cases"][case]}
+    grown = deformation(cfg, geometry, temperature(cfg, geometry))
+
+    def state_of(flanks):
+        stiffness = mesh_stiffness(cfg, geometry, grown, flanks)
+        shared = transmission_error(cfg, geometry, grown, flanks, stiffness)
+        return flanks, stiffness, shared, backlash(cfg, geometry, grown, flanks, shared)
+
+    state = state_of(unworn(geometry))
+    for _ in range(round(cfg["case"]["running_cycles"] / cfg["wear"]["cycles_per_update"])):
+        motion = response(cfg, geometry, together(state), reference)
+        state = state_of(worn(cfg, geometry, *state[:3], motion))
+    return together(state)
+
+
+def together(parts) -> xr.Dataset:
+    """Return the datasets of one state as one."""
+    return xr.merge(parts, compat="override", join="override", combine_attrs="drop")
