@@ -25,6 +25,7 @@ include: "workflow/rules/maps.smk"
 include: "workflow/rules/onsets.smk"
 include: "workflow/rules/sensitivity.smk"
 include: "workflow/rules/validation.smk"
+include: "workflow/rules/calibration.smk"
 
 
 rule all:
@@ -61,3 +62,10 @@ rule validation:
     input:
         "results/validation/validation.csv",
         "results/validation/validation.html",
+
+
+rule calibrate:
+    input:
+        "results/calibration/parameters.csv",
+        "results/calibration/claims.csv",
+        "results/figures/calibration.svg",

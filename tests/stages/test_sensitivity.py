@@ -10,10 +10,10 @@ import pytest
 import xarray as xr
 
 from gearwear.chain.geometry import geometry
+from gearwear.chain.last_state import last_state
 from gearwear.plumbing import store
 from gearwear.plumbing.slices import slice_of
 from gearwear.sensitivity import measures as module
-from gearwear.sensitivity.member import last_state
 from gearwear.sensitivity.variations import variations
 
 STYLE = str(Path(__file__).resolve().parents[2] / "workflow" / "report" / "gearwear.mplstyle")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from gearwear.calibration.parameters import OSCILLATOR, PARAMETERS
 from gearwear.dynamics import motion_class
 from gearwear.onsets.codes import HOW
 from gearwear.orbits.codes import BRANCH_ENDS, SPECIAL_POINTS, STABILITY
@@ -268,4 +269,20 @@ FIELDS: dict[str, Field] = {
     "value": Field("", "its value", _MEMBER),
     "usual_value": Field("", "its value in the study", _MEMBER),
     "companions": Field("", "keys changed along with it, empty for none", _MEMBER),
+    # calibration
+    "claim": Field("", "statement of the paper about the motion", (("claim",),)),
+    "sweep": Field("", "swept quantity", (("sweep",),)),
+    "claim_agrees": Field("1", "1 where a candidate agrees with a claim in the quick look", (("candidate", "claim"),)),
+    "candidate_merit": Field("1", "claims that agree, plus how far each is from agreeing", (("candidate",),)),
+    "candidate_remark": Field("", "why a candidate cannot be computed, empty if it can", (("candidate",),)),
+    "candidate_agreements": Field("1", "claims about a sweep that agree", (("candidate", "sweep"),)),
+    "sweep_of_claim": Field("", "swept quantity that a claim is about", (("claim",),)),
+    "claims_of_sweep": Field("1", "claims about a sweep", (("sweep",),)),
+    "member_agrees": Field("1", "1 where a member agrees with a claim, computed in full", (("member", "claim"),)),
+    **{
+        f"{whose}_{name}": Field(unit, f"{meaning}, of a {whose} of the calibration", ((whose,),))
+        for whose in ("candidate", "member")
+        for name, (unit, meaning) in PARAMETERS.items()
+    },
+    **{f"member_{name}": Field(unit, meaning, _MEMBER) for name, (unit, meaning) in OSCILLATOR.items()},
 }

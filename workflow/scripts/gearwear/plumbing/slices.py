@@ -9,9 +9,29 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from gearwear.plumbing.calibration_sections import Calibration
 from gearwear.plumbing.key_types import SWEEPS
 
 _EXCITED = ("dynamics", "settling", "operation.pinion_torque")
+_WHOLE_CHAIN = (
+    "gear_pair",
+    "grid",
+    "material",
+    "elasticity",
+    "operation",
+    "lubricant",
+    "friction",
+    "heat",
+    "mesh_stiffness",
+    "transmission_error",
+    "backlash",
+    "wear",
+    "dynamics",
+    "settling",
+    "cases.without",
+    "cases.with",
+    "cases.{reference}",
+)
 _HOT_STEEL = (
     "elasticity",
     "material.pinion.youngs_modulus",
@@ -60,23 +80,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     "map_wear": (*_EXCITED, "maps.mesh_frequency"),
     "onsets": (*_EXCITED, "sweeps.order", "onsets.refinement"),
     "measures": (
-        "gear_pair",
-        "grid",
-        "material",
-        "elasticity",
-        "operation",
-        "lubricant",
-        "friction",
-        "heat",
-        "mesh_stiffness",
-        "transmission_error",
-        "backlash",
-        "wear",
-        "dynamics",
-        "settling",
-        "cases.without",
-        "cases.with",
-        "cases.{reference}",
+        *_WHOLE_CHAIN,
         "sweeps.order",
         "sweeps.mesh_frequency",
         "branches.largest_step",
@@ -85,6 +89,13 @@ STAGES: dict[str, tuple[str, ...]] = {
     ),
     "sensitivity": ("sensitivity",),
     "onset_shifts": ("sweeps.order", "onsets.members", "onsets.box"),
+    "calibration": (
+        *_WHOLE_CHAIN,
+        "sweeps.mesh_frequency",
+        "sweeps.ste",
+        "sweeps.backlash",
+        *(f"calibration.{name}" for name in Calibration.model_fields if name != "islands"),
+    ),
     "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
     "basins": (
         *_EXCITED,
@@ -100,6 +111,7 @@ STAGES: dict[str, tuple[str, ...]] = {
 _PASSED_OVER = {
     "sweep": ("cases",),
     "measures": ("cases",),
+    "calibration": ("cases",),
     "branches": ("cases", "points"),
     "portraits": ("cases", "first", "last", "points"),
     "basins": ("cases", "first", "last", "points"),

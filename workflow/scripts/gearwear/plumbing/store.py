@@ -48,9 +48,12 @@ _MADE_BY = {
     "onset_shifts": ("compare_onsets",),
     "measures": ("measure_member",),
     "sensitivity": ("compare_members",),
+    "searches": ("search_parameters",),
+    "calibration": ("compare_candidates",),
 }
 
-_SINGLE = ("geometry", "onsets", "onset_variants", "onset_shifts", "measures", "sensitivity")  # names of nothing else
+# names of nothing else
+_SINGLE = ("geometry", "onsets", "onset_variants", "onset_shifts", "measures", "sensitivity", "calibration")
 
 
 def load(path: str | Path) -> xr.Dataset:
@@ -94,7 +97,7 @@ def _makers(path: Path) -> tuple[str, ...]:
     folder, above = path.parent.name, path.parent.parent.name
     if re.fullmatch(r"\d+-of-\d+", path.stem):
         return _MADE_BY["tiles" if above == "tiles" else "parts"]
-    if re.fullmatch(r"q\d{3}", path.stem) or folder in ("branches", "portraits", "basins", "maps"):
+    if re.fullmatch(r"q\d{3}", path.stem) or folder in ("branches", "portraits", "basins", "maps", "searches"):
         return _MADE_BY.get(folder, ())
     if above == "sweeps" and folder in ("restart", "up", "down"):
         return _MADE_BY[folder]

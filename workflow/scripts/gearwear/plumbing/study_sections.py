@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field, Strict
 
 from gearwear.plumbing.basin_sections import Basins
+from gearwear.plumbing.calibration_sections import Calibration
 from gearwear.plumbing.gear_sections import (
     Backlash,
     Elasticity,
@@ -298,4 +299,5 @@ class Configuration(Section):
     figures: Figures
     onsets: Onsets
     sensitivity: Sensitivity
+    calibration: Calibration
     studies: dict[CaseName, Study] = table("Studies made of members.", "studies")

@@ -11,6 +11,7 @@ from gearwear.attractors.chain import carried
 from gearwear.attractors.record import columns
 from gearwear.attractors.settling import Settling, settle_many
 from gearwear.chain.geometry import geometry
+from gearwear.chain.last_state import last_state
 from gearwear.dynamics.excitation import Excitation, excitation, rest_state
 from gearwear.geometry.involute import GEARS
 from gearwear.onsets import route
@@ -21,7 +22,6 @@ from gearwear.orbits.continuation import Limits
 from gearwear.orbits.return_map import COARSEST, return_maps
 from gearwear.orbits.seeds import seeds
 from gearwear.plumbing.stage import worded
-from gearwear.sensitivity.member import last_state
 
 _NUMBERS = ("mean_stiffness", "stiffness_ripple", "relative_mean_error", "mean_half_backlash")
 _EVENTS = {"first_doubling": 0, "chaos_onset": -1}  # place among the events of a route

@@ -1,4 +1,4 @@
-"""The last states of one member, its wear chain run in one process by the functions of the stages."""
+"""The last state of a case, its whole wear chain run in one process by the functions of the stages."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def last_state(
 
     Parameters
     ----------
-    config : the slice `measures`.
+    config : the sections that the stages of the chain read.
     reference : the same of the pristine reference case; not needed by a case that does not wear.
 
     Raises

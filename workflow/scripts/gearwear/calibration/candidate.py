@@ -1,0 +1,103 @@
+"""One set of values of the parameters: the excitations of both cases, and the sweeps that the claims are about."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from gearwear.attractors.section import recurrences, shrinking_periods
+from gearwear.attractors.settling import Settling, settle_many
+from gearwear.chain.geometry import geometry
+from gearwear.chain.last_state import last_state
+from gearwear.claims.sweeps import Sweep
+from gearwear.dynamics import motion_class
+from gearwear.dynamics.excitation import Excitation, excitation, rest_state, swept_oscillator
+from gearwear.dynamics.motion import GROWTH, STATES
+from gearwear.dynamics.motion_many import strobe_many
+
+SWEPT = (("without", "mesh_frequency"), ("with", "mesh_frequency"), ("with", "ste"), ("with", "backlash"))
+TRANSIENT, SAMPLED = 250, 72  # mesh periods of the quick look
+LARGEST_PERIOD = 16
+RECURRENCE, NEAR = 1e-5, 2e-3  # over b0: the section recurs; it comes closer and is this near
+
+Values = Mapping[tuple[str, str], np.ndarray]
+
+
+def excitations(config: dict[str, Any]) -> dict[str, Excitation]:
+    """Return the excitation of the cases `without` and `with` after their last wear cycle.
+
+    Parameters
+    ----------
+    config : the sections that the stages of the chain read.
+
+    Raises
+    ------
+    ValueError : the settings lead to a state that cannot be.
+    """
+    pair = geometry(config)
+    reference = last_state(config, pair, config["dynamics"]["reference_case"])
+    torque, dynamics = config["operation"]["pinion_torque"], config["dynamics"]
+    states = {case: last_state(config, pair, case, reference) for case in ("without", "with")}
+    return {case: excitation(pair, state, reference, torque, dynamics) for case, state in states.items()}
+
+
+def quick_sweeps(
+    config: dict[str, Any], several: Sequence[dict[str, Excitation]], values: Values
+) -> list[dict[tuple[str, str], Sweep]]:
+    """Return sweeps of many candidates, run side by side, every point from rest and classified by its section alone.
+
+    A section that recurs, or comes closer to itself, within 1e-5 or 2e-3 of b0, has that period; else it is chaotic.
+
+    Parameters
+    ----------
+    config : the sections that the sweeps read, alike for all candidates but for the damping ratio.
+    several : excitations of the candidates, with their damping ratio as item `config`.
+    values : the swept values, ascending, by case and sweep.
+    """
+    oscillators, starts = [], []
+    for one in several:
+        dynamics = one["dynamics"]
+        for (case, sweep), chosen in values.items():
+            for value in chosen:
+                own = swept_oscillator(one[case], sweep, float(value), dynamics, config["sweeps"][sweep])
+                oscillators.append(own)
+                starts.append(rest_state(one[case], own, dynamics))
+    run = strobe_many(oscillators, np.array(starts), TRANSIENT + SAMPLED, detail=STATES, early_end=True)
+    sections = run.states[:, -SAMPLED:]
+    classes = _classes(sections)
+    extents = np.concatenate([sections.min(axis=1), sections.max(axis=1)], axis=1)[:, [0, 2, 1, 3]]
+    found, place = [], 0
+    for _ in several:
+        sweeps = {}
+        for name, chosen in values.items():
+            own = slice(place, place + len(chosen))
+            sweeps[name] = Sweep(chosen, classes[own], extents[own])
+            place += len(chosen)
+        found.append(sweeps)
+    return found
+
+
+def settled_sweeps(config: dict[str, Any], sources: dict[str, Excitation], values: Values):
+    """Return the sweeps of one candidate as the study computes them from rest, with all evidence for the classes."""
+    dynamics, settling, found = config["dynamics"], Settling(**config["settling"]), {}
+    for (case, sweep), chosen in values.items():
+        source = sources[case]
+        own = [swept_oscillator(source, sweep, float(value), dynamics, config["sweeps"][sweep]) for value in chosen]
+        starts = np.array([rest_state(source, oscillator, dynamics) for oscillator in own])
+        motions = settle_many(own, starts, settling, dynamics["tolerance"], GROWTH)
+        sections = np.array([np.column_stack([motion.displacement, motion.velocity]) for motion in motions])
+        extents = np.concatenate([sections.min(axis=1), sections.max(axis=1)], axis=1)[:, [0, 2, 1, 3]]
+        found[case, sweep] = Sweep(chosen, np.array([motion.motion_class for motion in motions]), extents)
+    return found
+
+
+def _classes(sections: np.ndarray) -> np.ndarray:
+    finite = np.isfinite(sections).all(axis=(1, 2))
+    classes = np.full(len(sections), motion_class.NOT_CONVERGED)
+    classes[finite] = recurrences(sections[finite], LARGEST_PERIOD, RECURRENCE)[0]
+    for point in np.flatnonzero(finite & (classes == 0)):
+        closer = shrinking_periods(sections[point], LARGEST_PERIOD, NEAR)
+        classes[point] = closer[0] if closer else motion_class.CHAOTIC
+    return classes

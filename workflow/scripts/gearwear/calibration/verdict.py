@@ -1,0 +1,85 @@
+"""The candidates of all searches together: the best ones computed in full, and what the others tell."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from gearwear.calibration.agreement import about_motion, agreements
+from gearwear.calibration.candidate import SWEPT, excitations, settled_sweeps
+from gearwear.calibration.parameters import NAMES, OSCILLATOR, ends, values_of, with_values
+from gearwear.calibration.search import grid_of
+from gearwear.plumbing.key_types import SWEEPS
+
+STUDY = "study"  # the values of the configuration itself, computed like the best ones
+_APART = 0.02  # of the range of a parameter: candidates closer than this in all of them are one
+
+
+def compared(config: dict[str, Any], claims: Sequence[Mapping[str, Any]], searches: Sequence[xr.Dataset]) -> xr.Dataset:
+    """Return the candidates of all searches and, along `member`, the study and the best ones computed in full.
+
+    In full: the grid, wear step and sweeps of the study, all evidence for the class of every point. The best are those
+    of greatest merit that differ from one another; they stand in the order of their claims, then of their merit.
+
+    Parameters
+    ----------
+    config : the slice `calibration`.
+    claims : the statements, as in `config/paper_claims.yaml`.
+    searches : as search.evolve gives them.
+    """
+    wanted = about_motion(claims)
+    everyone = xr.concat(searches, dim="candidate")
+    low, high = ends(config["calibration"])
+    best = _best(everyone, low, high, config["calibration"]["verified"])
+    vectors = [values_of(config), *_vectors(everyone)[best]]
+    full = [_in_full(with_values(config, vector), wanted) for vector in vectors]
+    order = [0, *sorted(range(1, len(full)), key=lambda i: (-full[i][0].sum(), -full[i][1].sum()))]
+    values = np.array([[*vectors[i], *full[i][2]] for i in order])
+    names = [STUDY, *(f"best_{rank:02d}" for rank in range(1, len(full)))]
+    of_sweep = _sweep_of(wanted)
+    agrees = everyone["claim_agrees"].values
+    return everyone.assign(
+        {
+            "candidate_agreements": (
+                ("candidate", "sweep"),
+                np.array([[row[of_sweep == name].sum() for name in SWEEPS] for row in agrees], dtype=np.int32),
+            ),
+            "sweep_of_claim": ("claim", of_sweep),
+            "claims_of_sweep": ("sweep", np.array([(of_sweep == name).sum() for name in SWEEPS], dtype=np.int32)),
+            "member_agrees": (("member", "claim"), np.array([full[i][0] for i in order], dtype=np.int32)),
+            **{f"member_{name}": ("member", values[:, i]) for i, name in enumerate((*NAMES, *OSCILLATOR))},
+        }
+    ).assign_coords(sweep=np.array(SWEEPS, dtype=object), member=np.array(names, dtype=object))
+
+
+def _vectors(everyone: xr.Dataset) -> np.ndarray:
+    return np.stack([everyone[f"candidate_{name}"].values for name in NAMES], axis=1)
+
+
+def _best(everyone: xr.Dataset, low: np.ndarray, high: np.ndarray, count: int) -> list[int]:
+    places = (_vectors(everyone) - low) / np.where(high > low, high - low, 1.0)
+    chosen: list[int] = []
+    for i in np.argsort(-everyone["candidate_merit"].values, kind="stable"):
+        if len(chosen) == count:
+            break
+        if all(np.abs(places[i] - places[j]).max() > _APART for j in chosen):
+            chosen.append(int(i))
+    return chosen
+
+
+def _in_full(config: dict[str, Any], claims: Sequence[Mapping[str, Any]]):
+    """Return agreements, merits and parameters of the oscillator of case `with`."""
+    sources = excitations(config)
+    values = {(case, sweep): grid_of(config, sweep) for case, sweep in SWEPT}
+    agrees, merit = agreements(claims, settled_sweeps(config, sources, values))
+    hot = sources["with"]
+    lag = np.angle(-np.exp(1j * (hot.stiffness.phases[0] - hot.shape.phases[0])))
+    oscillator = [hot.force_parameter, hot.stiffness.amplitudes[0], hot.error_amplitude / hot.force_parameter, lag]
+    return agrees, merit, oscillator
+
+
+def _sweep_of(claims: Sequence[Mapping[str, Any]]) -> np.ndarray:
+    return np.array([claim.get("sweep", SWEEPS[0]) for claim in claims], dtype=object)

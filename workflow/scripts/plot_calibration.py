@@ -1,0 +1,21 @@
+"""The trade-off between the three sweeps, and which claims the good candidates agree with."""
+
+from typing import TYPE_CHECKING
+
+from gearwear.drawing import calibration
+from gearwear.drawing.sheet import DOUBLE, sheet
+from gearwear.plumbing import stage, store
+
+if TYPE_CHECKING:
+    from snakemake.iocontainers import snakemake
+
+
+def main(job):
+    found = store.load(job.input.calibration)
+    with sheet(job, DOUBLE, calibration.HEIGHT) as figure:
+        calibration.draw(figure, found)
+
+
+if __name__ == "__main__":
+    with stage.logged(snakemake, __file__):
+        main(snakemake)
