@@ -19,12 +19,9 @@ STUDY = "sensitivity"
 
 # Values of a choice beside its words.
 _MORE = {"dynamics.harmonics": (1, 3)}
-# What a choice takes along: without it the configuration is refused, or the choice has no effect.
+# What a choice takes along: without it the configuration is refused.
 _COMPANIONS = {
     ("transmission_error.mode", "no_load"): {"dynamics.ste_amplitude": "harmonic"},
-    ("mesh_stiffness.fillet_angle", "rack"): {"mesh_stiffness.cantilever": "root"},
-    ("mesh_stiffness.fillet_angle", "straight"): {"mesh_stiffness.cantilever": "root"},
-    ("mesh_stiffness.fillet_angle", "generated"): {"mesh_stiffness.cantilever": "root"},
 }
 
 
@@ -47,7 +44,8 @@ class Variation(NamedTuple):
 def variations(config: dict[str, Any]) -> list[Variation]:
     """Return every variation: the options in the order of the models, then both ends of every parameter.
 
-    A choice enters if a stage behind the measures reads it. An end that is the value of the study makes no member.
+    A choice enters if a stage behind the measures reads it, unless it decides only how a motion is computed (section
+    `settling`). An end that is the value of the study makes no member.
 
     Parameters
     ----------
@@ -72,7 +70,7 @@ def _choices() -> Iterator[tuple[str, tuple[Any, ...]]]:
     for path, field in keys(Configuration):
         key = ".".join(path)
         values = (*_words(field.annotation), *_MORE.get(key, ()))
-        if values and "<" not in key and readers(path, {"measures": STAGES["measures"]}):
+        if values and path[0] != "settling" and "<" not in key and readers(path, {"measures": STAGES["measures"]}):
             yield key, values
 
 
