@@ -20,6 +20,7 @@ CHANGES = {
     "sweeps.mesh_frequency.points": 41,
     "portraits.mesh_frequency.without": [1.0423],
     "portraits.mesh_frequency.with": [1.0470],
+    "basins.points.mesh_frequency": {},
     "settling.transient_periods": 200,
     "settling.longest_transient": 1600,
     "settling.sampled_periods": 96,
