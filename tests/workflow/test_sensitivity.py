@@ -19,7 +19,7 @@ def planned(project, overlay, *arguments):
 
 def measured(run):
     assert run.returncode == 0, run.stdout
-    return set(re.findall(r"^    output: results/(\S*)measures.nc$", run.stdout, flags=re.MULTILINE))
+    return set(re.findall(r"route to chaos: results/(\S*)measures\.nc\.$", run.stdout, flags=re.MULTILINE))
 
 
 def test_every_variation_is_one_job_beside_the_study_itself(project):
@@ -49,7 +49,7 @@ def test_an_option_that_the_configuration_refuses_is_not_computed_and_the_rest_i
 def test_a_member_can_be_asked_for_with_all_its_files(project):
     file = "results/studies/sensitivity/heat_growth_eulerian/with/deformation.nc"
     plan = planned(project, {}, "--", file)
-    assert plan.returncode == 0 and "rule grow_flanks:" in plan.stdout
+    assert plan.returncode == 0 and "heat_growth_eulerian/with: growing the flanks" in plan.stdout
 
 
 def test_nothing_of_it_belongs_to_all(project):
