@@ -284,7 +284,7 @@ WORDS = {
         "Initialdisplacementoverswepthalfbacklash",
         "timesnaturalfrequency",
     ],
-    "wear history": ["(a)Pinion", "Weardepthatthedeepestplace(µm)", "Revolutionsofthepinion(10⁹)", "with,100°C"],
+    "wear history": ["(a)Pinion", "Greatestweardepth(µm)", "Revolutionsofthepinion(10⁹)", "with,100°C"],
     "contact temperature": [
         "Flashtemperaturerise(K)",
         "Coefficientoffriction(1)",
@@ -301,7 +301,7 @@ def texts_of(figure):
     """Yield what is written on a figure, the labels of ticks beyond the limits left out, and the box of each."""
     for text in figure.findobj(Text):
         if text.get_text().strip() and text.get_visible():
-            yield text, text.get_window_extent().padded(-0.5)
+            yield text, text.get_window_extent()
 
 
 def hidden_labels(figure):
@@ -320,6 +320,7 @@ def hidden_labels(figure):
 def assert_readable(figure):
     """Assert that no text is too small, runs off the sheet or stands on another."""
     with matplotlib.style.context(STYLE, after_reset=True):
+        figure.set_dpi(400)  # as it is written: letters are wider on a coarse grid
         figure.draw_without_rendering()
         hidden = hidden_labels(figure)
         written = [(text, box) for text, box in texts_of(figure) if text not in hidden]

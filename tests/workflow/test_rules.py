@@ -41,3 +41,13 @@ def test_scripts_are_thin_and_see_only_their_own_settings(path):
     assert any(isinstance(node, ast.FunctionDef) and node.name == "main" for node in tree.body)
     assert "snakemake.config" not in text and "job.config" not in text
     assert "with stage.logged(snakemake, __file__):" in text
+
+
+def test_every_figure_has_a_caption_and_is_explained():
+    figures = re.findall(r'svg=report\(\s*"results/figures/([a-z]+(?:_[a-z]+)?)(\d*)', RULES)
+    assert len(figures) > 18
+    text = (ROOT / "docs" / "figures.md").read_text()
+    numbers = {int(n) for listed in re.findall(r"\*\*Figs?\.? ([\d, ]+)", text) for n in re.findall(r"\d+", listed)}
+    for name, number in figures:
+        assert (ROOT / "workflow" / "report" / f"{name}{number}.rst").read_text()
+        assert int(number) in numbers if number else f"**`{name}" in text, name

@@ -45,6 +45,8 @@ def main(job):
         along.set_ylabel("Length on the line of action (µm)")
         along.set_ylim(0, 1.08 * 1e6 * max(float(field.max()) for state in fields for field in state))
         along.set_title(f"{letter(0)} {states.name(drawn[-1])}; thin lines: means", loc="left")
+        grouped.set_ylabel("Mean length (µm)")
+        grouped.tick_params(labelleft=True)
         grouped.set_title(f"{letter(1)} Means over the path", loc="left")
         grouped.set_xticks(
             range(len(drawn)),

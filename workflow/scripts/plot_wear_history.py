@@ -30,10 +30,10 @@ def main(job):
         lines.append(values)
     pinion, gear, error, effective = zip(*lines, strict=True)
     panels = (
-        history.Panel("Pinion", "Wear depth at the deepest place (µm)", pinion),
-        history.Panel("Gear", "Wear depth at the deepest place (µm)", gear),
-        history.Panel("Transmission error", "Mean static transmission error (µm)", error),
-        history.Panel("Effective mesh stiffness", "Mean effective stiffness (10⁸ N/m)", effective),
+        history.Panel("Pinion", "Greatest wear depth (µm)", pinion),
+        history.Panel("Gear", "Greatest wear depth (µm)", gear),
+        history.Panel("Transmission error", "Mean over the mesh (µm)", error),
+        history.Panel("Effective mesh stiffness", "Mean over the mesh (10⁸ N/m)", effective),
     )
     with sheet(job, DOUBLE, 105) as figure:
         history.draw(figure, cycles, panels, drawn)

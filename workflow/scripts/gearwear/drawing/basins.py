@@ -18,7 +18,7 @@ from gearwear.drawing.sheet import DOUBLE, letter
 
 _MOST_COLUMNS = 3
 # mm: margins, sides of a panel, gap between panels, height of tick labels, of a line and of a panel's title
-_LEFT, _RIGHT, _TOP, _BOTTOM = 15.0, 2.0, 9.0, 6.0
+_LEFT, _RIGHT, _TOP, _BOTTOM = 16.5, 2.0, 9.0, 6.0
 _GAP, _TICKS, _LINE, _TITLE = 6.5, 4.0, 3.6, 5.0
 _PANEL = (DOUBLE - _LEFT - _RIGHT - (_MOST_COLUMNS - 1) * _GAP) / _MOST_COLUMNS
 _MARKS = ("o", "s", "^", "D", "v", "P", "X", "*")
@@ -55,7 +55,7 @@ def draw(figure: Figure, basins: xr.Dataset, cfg: dict[str, Any]) -> None:
     unit = swept.length_unit(cfg["sweep"], cfg["swept"])
     figure.supxlabel(f"Initial displacement over {unit}", y=1.0 / total, va="bottom")
     words = f"Initial velocity over {unit}\ntimes natural frequency"
-    figure.supylabel(words, x=(begin - 7.0) / DOUBLE, ha="right", multialignment="center")
+    figure.supylabel(words, x=(begin - 8.5) / DOUBLE, ha="right", multialignment="center")
     title = ", ".join(filter(None, [states.case(cfg["state"]), swept.condition(cfg["sweep"], cfg["swept"])]))
     words = f"{title}\nPanels: {swept.LABELS[cfg['sweep']].lower()}; below: shares of the cells of the slice"
     figure.suptitle(words, y=1 - 1.0 / total, va="top", fontsize=7.5)
