@@ -194,6 +194,21 @@ def test_wear_raises_the_error_and_lowers_the_effective_stiffness_in_double_cont
     np.testing.assert_allclose(worn.effective_stiffness[~double], new.effective_stiffness[~double], rtol=1e-12)
 
 
+def test_wear_unloads_the_pair_that_has_more_of_it(mesh):
+    """One worn node: the pair there hands load to its partner, both on the drive flanks alone."""
+    geometry, none = mesh[0], np.zeros((2, mesh[0].sizes["path"]))
+    node = int(geometry["entering"].values[0])
+    partner = int(geometry["partner"].values[node])
+    new = state(mesh, none, none)
+    for gear in (0, 1):
+        wear = none.copy()
+        wear[gear, node] = 2e-6
+        worn = state(mesh, wear, none)
+        assert worn.sharing_error[node] == 2e-6
+        assert worn.load_share_path[node] < new.load_share_path[node] - 0.01
+        assert worn.load_share_path[partner] > new.load_share_path[partner] + 0.01
+
+
 def test_sign_of_heat_in_the_error_follows_the_setting(mesh, flanks):
     none, growth = np.zeros_like(flanks[0]), flanks[1]
     width = mesh[0]["mesh_phase_width"].values
