@@ -1,4 +1,4 @@
-"""How well sweeps agree with the claims: the verdict of the scorecard, and how far a claim is from agreeing."""
+"""How well a candidate agrees with the claims: the verdict of the scorecard, and how far a claim is from agreeing."""
 
 from __future__ import annotations
 
@@ -9,23 +9,30 @@ import numpy as np
 
 from gearwear.claims import rules
 from gearwear.claims.events import find_event
+from gearwear.claims.properties import PROPERTIES
 from gearwear.claims.scorecard import cases_of
-from gearwear.claims.study import Undecided
+from gearwear.claims.study import Study, Undecided
 from gearwear.claims.sweeps import Sweep, class_code
 from gearwear.claims.windows import points_of_window
 
 HEADLINE = "chaos-earlier-with"
+WEAR = "wear"  # the claims about it begin with this word
 _SOFTNESS = 0.05  # of the swept variable: distance beyond the tolerance over which the merit of an event falls
 _BONUS = 0.1  # merit beyond agreement, so that of two that agree the safer one is better
 
 
-def about_motion(claims: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-    """Return the claims that sweeps decide: windows, events and the headline."""
-    return [claim for claim in claims if claim["kind"] != "qualitative" or claim["id"] == HEADLINE]
+def judged(claims: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """Return the claims that a search judges: windows, events and the headline, and those about wear."""
+    return [claim for claim in claims if claim["kind"] != "qualitative" or claim["id"] == HEADLINE or _is_wear(claim)]
+
+
+def subject(claim: Mapping[str, Any]) -> str:
+    """Return what a claim is about: the swept quantity, or wear."""
+    return WEAR if _is_wear(claim) else claim.get("sweep", "mesh_frequency")
 
 
 def agreements(
-    claims: Sequence[Mapping[str, Any]], sweeps: Mapping[tuple[str, str], Sweep]
+    claims: Sequence[Mapping[str, Any]], sweeps: Mapping[tuple[str, str], Sweep], worn: Study
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return for every claim whether it agrees, and its merit.
 
@@ -34,19 +41,30 @@ def agreements(
 
     Parameters
     ----------
-    claims : of `about_motion`.
+    claims : of `judged`.
     sweeps : by case and swept quantity.
+    worn : geometry and wear of the case `with`, cycle by cycle.
 
     Returns
     -------
     agrees : (claims,) bool
     merit : (claims,)
     """
-    found = [_judge(claim, sweeps) for claim in claims]
+    found = [_judge(claim, sweeps, worn) for claim in claims]
     return np.array([agrees for agrees, _ in found], dtype=bool), np.array([merit for _, merit in found])
 
 
-def _judge(claim: Mapping[str, Any], sweeps: Mapping[tuple[str, str], Sweep]) -> tuple[bool, float]:
+def _is_wear(claim: Mapping[str, Any]) -> bool:
+    return claim["id"].startswith(f"{WEAR}-")
+
+
+def _judge(claim: Mapping[str, Any], sweeps: Mapping[tuple[str, str], Sweep], worn: Study) -> tuple[bool, float]:
+    if _is_wear(claim):
+        try:
+            holds = bool(PROPERTIES[claim["id"]](worn)[0])
+        except Undecided:
+            holds = False
+        return holds, float(holds)
     if claim["kind"] == "qualitative":
         onsets = [_location(sweeps[case, "mesh_frequency"], "chaos onset") for case in ("with", "without")]
         earlier = None not in onsets and onsets[0] < onsets[1]

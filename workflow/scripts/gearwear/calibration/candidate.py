@@ -1,16 +1,17 @@
-"""One set of values of the parameters: the excitations of both cases, and the sweeps that the claims are about."""
+"""One set of values of the parameters: the excitations and the wear that follow, and the sweeps of the claims."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from gearwear.attractors.section import recurrences, shrinking_periods
 from gearwear.attractors.settling import Settling, settle_many
 from gearwear.chain.geometry import geometry
-from gearwear.chain.last_state import last_state
+from gearwear.chain.last_state import last_state, states
+from gearwear.claims.study import Study
 from gearwear.claims.sweeps import Sweep
 from gearwear.dynamics import motion_class
 from gearwear.dynamics.excitation import Excitation, excitation, rest_state, swept_oscillator
@@ -25,8 +26,23 @@ RECURRENCE, NEAR = 1e-5, 2e-3  # over b0: the section recurs; it comes closer an
 Values = Mapping[tuple[str, str], np.ndarray]
 
 
-def excitations(config: dict[str, Any]) -> dict[str, Excitation]:
-    """Return the excitation of the cases `without` and `with` after their last wear cycle.
+class Pair(NamedTuple):
+    """What a candidate makes of the gear pair.
+
+    Attributes
+    ----------
+    sources : excitation of the cases `without` and `with` after their last wear cycle.
+    worn : geometry and wear of the case `with`, cycle by cycle, as the claims read them.
+    dynamics : the section of that name.
+    """
+
+    sources: dict[str, Excitation]
+    worn: Study
+    dynamics: dict[str, Any]
+
+
+def pair_of(config: dict[str, Any]) -> Pair:
+    """Return the pair that a configuration describes.
 
     Parameters
     ----------
@@ -36,16 +52,16 @@ def excitations(config: dict[str, Any]) -> dict[str, Excitation]:
     ------
     ValueError : the settings lead to a state that cannot be.
     """
-    pair = geometry(config)
-    reference = last_state(config, pair, config["dynamics"]["reference_case"])
-    torque, dynamics = config["operation"]["pinion_torque"], config["dynamics"]
-    states = {case: last_state(config, pair, case, reference) for case in ("without", "with")}
-    return {case: excitation(pair, state, reference, torque, dynamics) for case, state in states.items()}
+    pair, torque, dynamics = geometry(config), config["operation"]["pinion_torque"], config["dynamics"]
+    reference = last_state(config, pair, dynamics["reference_case"])
+    hot = list(states(config, pair, "with", reference))
+    last = {"without": last_state(config, pair, "without", reference), "with": hot[-1]}
+    sources = {case: excitation(pair, state, reference, torque, dynamics) for case, state in last.items()}
+    wear = {("wear", "with", cycle): state[["wear_depth"]] for cycle, state in enumerate(hot)}
+    return Pair(sources, Study({"geometry": pair} | wear, (("with", len(hot) - 1),)), dynamics)
 
 
-def quick_sweeps(
-    config: dict[str, Any], several: Sequence[dict[str, Excitation]], values: Values
-) -> list[dict[tuple[str, str], Sweep]]:
+def quick_sweeps(config: dict[str, Any], several: Sequence[Pair], values: Values) -> list[dict[tuple[str, str], Sweep]]:
     """Return sweeps of many candidates, run side by side, every point from rest and classified by its section alone.
 
     A section that recurs, or comes closer to itself, within 1e-5 or 2e-3 of b0, has that period; else it is chaotic.
@@ -53,17 +69,17 @@ def quick_sweeps(
     Parameters
     ----------
     config : the sections that the sweeps read, alike for all candidates but for the damping ratio.
-    several : excitations of the candidates, with their damping ratio as item `config`.
+    several : the candidates.
     values : the swept values, ascending, by case and sweep.
     """
     oscillators, starts = [], []
     for one in several:
-        dynamics = one["dynamics"]
         for (case, sweep), chosen in values.items():
             for value in chosen:
-                own = swept_oscillator(one[case], sweep, float(value), dynamics, config["sweeps"][sweep])
+                source = one.sources[case]
+                own = swept_oscillator(source, sweep, float(value), one.dynamics, config["sweeps"][sweep])
                 oscillators.append(own)
-                starts.append(rest_state(one[case], own, dynamics))
+                starts.append(rest_state(source, own, one.dynamics))
     run = strobe_many(oscillators, np.array(starts), TRANSIENT + SAMPLED, detail=STATES, early_end=True)
     sections = run.states[:, -SAMPLED:]
     classes = _classes(sections)
@@ -79,7 +95,9 @@ def quick_sweeps(
     return found
 
 
-def settled_sweeps(config: dict[str, Any], sources: dict[str, Excitation], values: Values):
+def settled_sweeps(
+    config: dict[str, Any], sources: dict[str, Excitation], values: Values
+) -> dict[tuple[str, str], Sweep]:
     """Return the sweeps of one candidate as the study computes them from rest, with all evidence for the classes."""
     dynamics, settling, found = config["dynamics"], Settling(**config["settling"]), {}
     for (case, sweep), chosen in values.items():

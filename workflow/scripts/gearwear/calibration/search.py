@@ -10,8 +10,8 @@ import xarray as xr
 from scipy.optimize import differential_evolution
 from scipy.stats import qmc
 
-from gearwear.calibration.agreement import about_motion, agreements
-from gearwear.calibration.candidate import SWEPT, excitations, quick_sweeps
+from gearwear.calibration.agreement import agreements, judged
+from gearwear.calibration.candidate import SWEPT, pair_of, quick_sweeps
 from gearwear.calibration.parameters import NAMES, ends, values_of, with_values
 from gearwear.calibration.sampling import points
 from gearwear.plumbing.stage import worded
@@ -37,7 +37,7 @@ def evolve(config: dict[str, Any], claims: Sequence[Mapping[str, Any]], island: 
     dataset along `candidate` and `claim`; a candidate that cannot be computed agrees with nothing and has
     the reason as its remark.
     """
-    settings, wanted = config["calibration"], about_motion(claims)
+    settings, wanted = config["calibration"], judged(claims)
     low, high = ends(settings)
     coarse = {
         **config,
@@ -99,7 +99,7 @@ def _judged(config, vectors, claims, values) -> list[tuple[np.ndarray, np.ndarra
     for place, vector in enumerate(vectors):
         changed = with_values(config, vector)
         try:
-            several.append(excitations(changed) | {"dynamics": changed["dynamics"]})
+            several.append(pair_of(changed))
             own.append(place)
         except ValueError as error:
             if not worded(error):
@@ -107,7 +107,7 @@ def _judged(config, vectors, claims, values) -> list[tuple[np.ndarray, np.ndarra
             remarks[place] = str(error)
     found = [(vector, np.zeros(len(claims), dtype=bool), 0.0, remarks.get(i, "")) for i, vector in enumerate(vectors)]
     if several:
-        for place, sweeps in zip(own, quick_sweeps(config, several, values), strict=True):
-            agrees, merit = agreements(claims, sweeps)
+        for place, pair, sweeps in zip(own, several, quick_sweeps(config, several, values), strict=True):
+            agrees, merit = agreements(claims, sweeps, pair.worn)
             found[place] = (vectors[place], agrees, float(agrees.sum() + merit.sum()), "")
     return found

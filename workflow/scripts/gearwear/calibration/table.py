@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from gearwear.calibration.agreement import about_motion
+from gearwear.calibration.agreement import judged
 from gearwear.calibration.parameters import NAMES, PARAMETERS
 from gearwear.claims.scorecard import expectation
 
@@ -42,7 +42,7 @@ def parameters(found: xr.Dataset, settings: Mapping[str, Any]) -> list[dict[str,
 def claims(found: xr.Dataset, statements: Sequence[Mapping[str, Any]]) -> list[dict[str, str]]:
     """Return a row a claim: what it expects, who agrees, in which share of the good candidates and of all it does."""
     agrees, members, chosen, rows = found["claim_agrees"].values, found["member_agrees"].values, good(found), []
-    for i, claim in enumerate(about_motion(statements)):
+    for i, claim in enumerate(judged(statements)):
         row = {"claim": claim["id"], "expected": expectation(claim)}
         row |= {str(name): "agrees" if members[m, i] else "differs" for m, name in enumerate(found["member"].values)}
         row |= {"share_of_good": f"{agrees[chosen, i].mean():.3f}", "share_of_all": f"{agrees[:, i].mean():.4f}"}

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from gearwear.calibration.agreement import about_motion, agreements
-from gearwear.calibration.candidate import SWEPT, excitations, settled_sweeps
+from gearwear.calibration.agreement import agreements, judged, subject
+from gearwear.calibration.candidate import SWEPT, pair_of, settled_sweeps
 from gearwear.calibration.parameters import NAMES, OSCILLATOR, ends, values_of, with_values
 from gearwear.calibration.search import grid_of
 from gearwear.plumbing.key_types import SWEEPS
@@ -30,7 +30,7 @@ def compared(config: dict[str, Any], claims: Sequence[Mapping[str, Any]], search
     claims : the statements, as in `config/paper_claims.yaml`.
     searches : as search.evolve gives them.
     """
-    wanted = about_motion(claims)
+    wanted = judged(claims)
     everyone = xr.concat(searches, dim="candidate")
     low, high = ends(config["calibration"])
     best = _best(everyone, low, high, config["calibration"]["verified"])
@@ -39,16 +39,16 @@ def compared(config: dict[str, Any], claims: Sequence[Mapping[str, Any]], search
     order = [0, *sorted(range(1, len(full)), key=lambda i: (-full[i][0].sum(), -full[i][1].sum()))]
     values = np.array([[*vectors[i], *full[i][2]] for i in order])
     names = [STUDY, *(f"best_{rank:02d}" for rank in range(1, len(full)))]
-    of_sweep = _sweep_of(wanted)
+    about = np.array([subject(claim) for claim in wanted], dtype=object)
     agrees = everyone["claim_agrees"].values
     return everyone.assign(
         {
             "candidate_agreements": (
                 ("candidate", "sweep"),
-                np.array([[row[of_sweep == name].sum() for name in SWEEPS] for row in agrees], dtype=np.int32),
+                np.array([[row[about == name].sum() for name in SWEEPS] for row in agrees], dtype=np.int32),
             ),
-            "sweep_of_claim": ("claim", of_sweep),
-            "claims_of_sweep": ("sweep", np.array([(of_sweep == name).sum() for name in SWEEPS], dtype=np.int32)),
+            "claim_subject": ("claim", about),
+            "claims_of_sweep": ("sweep", np.array([(about == name).sum() for name in SWEEPS], dtype=np.int32)),
             "member_agrees": (("member", "claim"), np.array([full[i][0] for i in order], dtype=np.int32)),
             **{f"member_{name}": ("member", values[:, i]) for i, name in enumerate((*NAMES, *OSCILLATOR))},
         }
@@ -72,14 +72,10 @@ def _best(everyone: xr.Dataset, low: np.ndarray, high: np.ndarray, count: int) -
 
 def _in_full(config: dict[str, Any], claims: Sequence[Mapping[str, Any]]):
     """Return agreements, merits and parameters of the oscillator of case `with`."""
-    sources = excitations(config)
+    pair = pair_of(config)
     values = {(case, sweep): grid_of(config, sweep) for case, sweep in SWEPT}
-    agrees, merit = agreements(claims, settled_sweeps(config, sources, values))
-    hot = sources["with"]
+    agrees, merit = agreements(claims, settled_sweeps(config, pair.sources, values), pair.worn)
+    hot = pair.sources["with"]
     lag = np.angle(-np.exp(1j * (hot.stiffness.phases[0] - hot.shape.phases[0])))
     oscillator = [hot.force_parameter, hot.stiffness.amplitudes[0], hot.error_amplitude / hot.force_parameter, lag]
     return agrees, merit, oscillator
-
-
-def _sweep_of(claims: Sequence[Mapping[str, Any]]) -> np.ndarray:
-    return np.array([claim.get("sweep", SWEEPS[0]) for claim in claims], dtype=object)

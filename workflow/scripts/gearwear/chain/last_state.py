@@ -1,7 +1,8 @@
-"""The last state of a case, its whole wear chain run in one process by the functions of the stages."""
+"""The states of a case, its whole wear chain run in one process by the functions of the stages."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import xarray as xr
@@ -17,10 +18,10 @@ from gearwear.chain.wear import worn
 from gearwear.plumbing.store import together
 
 
-def last_state(
+def states(
     config: dict[str, Any], geometry: xr.Dataset, case: str, reference: xr.Dataset | None = None
-) -> xr.Dataset:
-    """Return wear, mesh stiffness, transmission error and backlash of a case after its last wear cycle.
+) -> Iterator[xr.Dataset]:
+    """Yield wear, mesh stiffness, transmission error and backlash of a case after every wear cycle, unworn first.
 
     Parameters
     ----------
@@ -40,7 +41,16 @@ def last_state(
         return flanks, stiffness, shared, backlash(cfg, geometry, grown, flanks, shared)
 
     state = state_of(unworn(geometry))
+    yield together(state)
     for _ in range(round(cfg["case"]["running_cycles"] / cfg["wear"]["cycles_per_update"])):
         motion = response(cfg, geometry, together(state), reference)
         state = state_of(worn(cfg, geometry, *state[:3], motion))
-    return together(state)
+        yield together(state)
+
+
+def last_state(
+    config: dict[str, Any], geometry: xr.Dataset, case: str, reference: xr.Dataset | None = None
+) -> xr.Dataset:
+    """Return the last of the states of a case."""
+    *_, last = states(config, geometry, case, reference)
+    return last

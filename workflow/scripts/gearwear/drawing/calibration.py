@@ -19,7 +19,7 @@ HEIGHT = 130.0  # mm
 _PAIRS = ((0, 1), (0, 2), (1, 2))  # of SWEEPS
 _NAMES = {"mesh_frequency": "mesh frequency", "ste": "STE", "backlash": "backlash"}
 # Okabe and Ito (2008), safe for colour-blind readers.
-_COLOURS = {"mesh_frequency": "#0072B2", "ste": "#D55E00", "backlash": "#009E73"}
+_COLOURS = {"mesh_frequency": "#0072B2", "ste": "#D55E00", "backlash": "#009E73", "wear": "#999999"}
 _CLOUD, _INK = "#9AA5B1", "#000000"
 _LARGEST = 60.0  # area of the circle with most candidates, points squared
 
@@ -43,9 +43,9 @@ def draw(figure: Figure, found: xr.Dataset) -> None:
 
 def _members(found: xr.Dataset) -> np.ndarray:
     """Return the agreements of the members by sweep, (members, sweeps)."""
-    of_sweep = found["sweep_of_claim"].values
+    about = found["claim_subject"].values
     agrees = found["member_agrees"].values
-    return np.stack([agrees[:, of_sweep == name].sum(axis=1) for name in SWEEPS], axis=1)
+    return np.stack([agrees[:, about == name].sum(axis=1) for name in SWEEPS], axis=1)
 
 
 def _trade(axes: Axes, found: xr.Dataset, full: np.ndarray, across: int, up: int) -> None:
@@ -64,8 +64,8 @@ def _trade(axes: Axes, found: xr.Dataset, full: np.ndarray, across: int, up: int
 
 def _bars(axes: Axes, found: xr.Dataset) -> None:
     share = found["claim_agrees"].values[good(found)].mean(axis=0)
-    sweeps = found["sweep_of_claim"].values
-    axes.bar(range(len(share)), 100 * share, color=[_COLOURS[name] for name in sweeps], width=0.75)
+    subjects = found["claim_subject"].values
+    axes.bar(range(len(share)), 100 * share, color=[_COLOURS[name] for name in subjects], width=0.75)
     axes.set_xticks(
         range(len(share)), found["claim"].values, rotation=60, ha="right", rotation_mode="anchor", fontsize=6
     )
