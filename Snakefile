@@ -37,8 +37,8 @@ rule all:
         basin_figures(),
         "results/claims.csv",
         "results/claims.html",
-        "results/parameters.csv",
-        "results/versions.csv",
+        "results/parameters.html",
+        "results/versions.html",
 
 
 rule maps:
