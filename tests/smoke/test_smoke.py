@@ -2,10 +2,13 @@
 
 import csv
 import json
+import zipfile
+from pathlib import Path
 
 import netCDF4
 import pytest
 
+SMOKE = ("--configfile", "config/config.yaml", "config/smoke.yaml")
 FIGURES = [f"fig{number:02d}" for number in range(6, 19)]
 FIGURES += ["wear_history", "contact_temperature", "load_sharing", "mesh_force", "exponents"]
 
@@ -95,6 +98,18 @@ def test_every_file_says_what_it_is(smoke_run):
 def test_public_names(smoke_run, pattern, variables):
     with netCDF4.Dataset(smoke_run.folder / "results" / pattern) as file:
         assert set(variables) <= set(file.variables)
+
+
+def test_the_report_holds_every_figure_and_page_with_its_caption(smoke_run):
+    run = smoke_run.snakemake("all", *SMOKE, "--report", "report.zip")
+    assert run.returncode == 0, run.stdout
+    with zipfile.ZipFile(smoke_run.folder / "report.zip") as report:
+        names = {Path(name).name for name in report.namelist()}
+        page = report.read("report/report.html").decode()
+    pages = {"claims.html", "claims.csv", "parameters.html", "versions.html", "basins_with_ste.svg"}
+    assert names >= pages | {f"{figure}.svg" for figure in FIGURES}
+    for word in ("A dot for every wear cycle computed", "Case with: 100 °C bulk temperature, 0.3", "Where to look"):
+        assert word in page or json.dumps(word)[1:-1] in page, word
 
 
 def test_another_folder_gives_the_same_bytes(smoke_run, tmp_path):
