@@ -76,7 +76,7 @@ def test_a_search_begins_with_the_study_and_stays_within_its_ranges(searches, co
     found = [store.load(path) for path in searches]
     settings = config["calibration"]
     for one in found:
-        assert one.sizes == {"candidate": 10, "claim": 41}
+        assert one.sizes == {"candidate": 10, "claim": 43}
         for name in NAMES:
             values = one[f"candidate_{name}"].values
             assert (values >= settings[name]["low"]).all() and (values <= settings[name]["high"]).all()
@@ -122,7 +122,7 @@ def test_the_tables_say_what_was_found(compared, config):
     assert parameters["line_load"]["unit"] == "N m-1"
     with open(compared.claims, encoding="utf-8") as file:
         claims = list(csv.DictReader(file))
-    assert len(claims) == 41
+    assert len(claims) == 43
     assert {row["study"] for row in claims} == {"agrees", "differs"}
 
 

@@ -25,7 +25,7 @@ def main(job):
         with store.atomic(path) as temporary:
             table.write(rows, temporary)
     for name, row in zip(found["member"].values, found["member_agrees"].values, strict=True):
-        stage.announce(f"{name}: agrees with {row.sum()} of {row.size} claims about wear and motion")
+        stage.announce(f"{name}: agrees with {row.sum()} of {row.size} claims about states and motion")
 
 
 if __name__ == "__main__":

@@ -91,4 +91,4 @@ def test_a_claim_without_wear_to_judge_does_not_agree():
 def test_claims_that_sweeps_or_wear_decide_are_kept():
     wear, other = ({"id": name, "kind": "qualitative"} for name in ("wear-zero-at-pitch", "tvms-falls-with-wear"))
     assert judged([WINDOW, wear, other, EVENT, FIRST]) == [WINDOW, wear, EVENT, FIRST]
-    assert [subject(claim) for claim in (WINDOW, wear, FIRST)] == ["mesh_frequency", "wear", "mesh_frequency"]
+    assert [subject(claim) for claim in (WINDOW, wear, FIRST)] == ["mesh_frequency", "states", "mesh_frequency"]

@@ -16,23 +16,26 @@ from gearwear.claims.sweeps import Sweep, class_code
 from gearwear.claims.windows import points_of_window
 
 HEADLINE = "chaos-earlier-with"
-WEAR = "wear"  # the claims about it begin with this word
+STATES = "states"  # subject of the claims about wear and static transmission error
+_OF_STATES = ("wear-", "ste-")  # how their names begin
 _SOFTNESS = 0.05  # of the swept variable: distance beyond the tolerance over which the merit of an event falls
 _BONUS = 0.1  # merit beyond agreement, so that of two that agree the safer one is better
 
 
 def judged(claims: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-    """Return the claims that a search judges: windows, events and the headline, and those about wear."""
-    return [claim for claim in claims if claim["kind"] != "qualitative" or claim["id"] == HEADLINE or _is_wear(claim)]
+    """Return the claims that a search judges: windows, events, the headline, and those about states."""
+    return [
+        claim for claim in claims if claim["kind"] != "qualitative" or claim["id"] == HEADLINE or _is_of_states(claim)
+    ]
 
 
 def subject(claim: Mapping[str, Any]) -> str:
-    """Return what a claim is about: the swept quantity, or wear."""
-    return WEAR if _is_wear(claim) else claim.get("sweep", "mesh_frequency")
+    """Return what a claim is about: the swept quantity, or the states of the flanks."""
+    return STATES if _is_of_states(claim) else claim.get("sweep", "mesh_frequency")
 
 
 def agreements(
-    claims: Sequence[Mapping[str, Any]], sweeps: Mapping[tuple[str, str], Sweep], worn: Study
+    claims: Sequence[Mapping[str, Any]], sweeps: Mapping[tuple[str, str], Sweep], states: Study
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return for every claim whether it agrees, and its merit.
 
@@ -43,25 +46,25 @@ def agreements(
     ----------
     claims : of `judged`.
     sweeps : by case and swept quantity.
-    worn : geometry and wear of the case `with`, cycle by cycle.
+    states : what the claims about states read of the cases `without` and `with`.
 
     Returns
     -------
     agrees : (claims,) bool
     merit : (claims,)
     """
-    found = [_judge(claim, sweeps, worn) for claim in claims]
+    found = [_judge(claim, sweeps, states) for claim in claims]
     return np.array([agrees for agrees, _ in found], dtype=bool), np.array([merit for _, merit in found])
 
 
-def _is_wear(claim: Mapping[str, Any]) -> bool:
-    return claim["id"].startswith(f"{WEAR}-")
+def _is_of_states(claim: Mapping[str, Any]) -> bool:
+    return claim["kind"] == "qualitative" and claim["id"].startswith(_OF_STATES)
 
 
-def _judge(claim: Mapping[str, Any], sweeps: Mapping[tuple[str, str], Sweep], worn: Study) -> tuple[bool, float]:
-    if _is_wear(claim):
+def _judge(claim: Mapping[str, Any], sweeps: Mapping[tuple[str, str], Sweep], states: Study) -> tuple[bool, float]:
+    if _is_of_states(claim):
         try:
-            holds = bool(PROPERTIES[claim["id"]](worn)[0])
+            holds = bool(PROPERTIES[claim["id"]](states)[0])
         except Undecided:
             holds = False
         return holds, float(holds)

@@ -1,4 +1,4 @@
-"""One set of values of the parameters: the excitations and the wear that follow, and the sweeps of the claims."""
+"""One set of values of the parameters: the states and excitations that follow, and the sweeps of the claims."""
 
 from __future__ import annotations
 
@@ -32,12 +32,13 @@ class Pair(NamedTuple):
     Attributes
     ----------
     sources : excitation of the cases `without` and `with` after their last wear cycle.
-    worn : geometry and wear of the case `with`, cycle by cycle, as the claims read them.
+    states : geometry, wear of the case `with` cycle by cycle, and the transmission error of both cases in their last
+        state, as the claims read them.
     dynamics : the section of that name.
     """
 
     sources: dict[str, Excitation]
-    worn: Study
+    states: Study
     dynamics: dict[str, Any]
 
 
@@ -57,8 +58,10 @@ def pair_of(config: dict[str, Any]) -> Pair:
     hot = list(states(config, pair, "with", reference))
     last = {"without": last_state(config, pair, "without", reference), "with": hot[-1]}
     sources = {case: excitation(pair, state, reference, torque, dynamics) for case, state in last.items()}
-    wear = {("wear", "with", cycle): state[["wear_depth"]] for cycle, state in enumerate(hot)}
-    return Pair(sources, Study({"geometry": pair} | wear, (("with", len(hot) - 1),)), dynamics)
+    results = {"geometry": pair} | {("wear", "with", cycle): state[["wear_depth"]] for cycle, state in enumerate(hot)}
+    ends = (("without", 0), ("with", len(hot) - 1))
+    results |= {("transmission_error", *end): last[end[0]][["transmission_error"]] for end in ends}
+    return Pair(sources, Study(results, ends), dynamics)
 
 
 def quick_sweeps(config: dict[str, Any], several: Sequence[Pair], values: Values) -> list[dict[tuple[str, str], Sweep]]:

@@ -108,6 +108,6 @@ def _judged(config, vectors, claims, values) -> list[tuple[np.ndarray, np.ndarra
     found = [(vector, np.zeros(len(claims), dtype=bool), 0.0, remarks.get(i, "")) for i, vector in enumerate(vectors)]
     if several:
         for place, pair, sweeps in zip(own, several, quick_sweeps(config, several, values), strict=True):
-            agrees, merit = agreements(claims, sweeps, pair.worn)
+            agrees, merit = agreements(claims, sweeps, pair.states)
             found[place] = (vectors[place], agrees, float(agrees.sum() + merit.sum()), "")
     return found

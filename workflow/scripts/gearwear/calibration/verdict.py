@@ -74,7 +74,7 @@ def _in_full(config: dict[str, Any], claims: Sequence[Mapping[str, Any]]):
     """Return agreements, merits and parameters of the oscillator of case `with`."""
     pair = pair_of(config)
     values = {(case, sweep): grid_of(config, sweep) for case, sweep in SWEPT}
-    agrees, merit = agreements(claims, settled_sweeps(config, pair.sources, values), pair.worn)
+    agrees, merit = agreements(claims, settled_sweeps(config, pair.sources, values), pair.states)
     hot = pair.sources["with"]
     lag = np.angle(-np.exp(1j * (hot.stiffness.phases[0] - hot.shape.phases[0])))
     oscillator = [hot.force_parameter, hot.stiffness.amplitudes[0], hot.error_amplitude / hot.force_parameter, lag]

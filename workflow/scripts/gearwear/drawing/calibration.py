@@ -19,7 +19,7 @@ HEIGHT = 130.0  # mm
 _PAIRS = ((0, 1), (0, 2), (1, 2))  # of SWEEPS
 _NAMES = {"mesh_frequency": "mesh frequency", "ste": "STE", "backlash": "backlash"}
 # Okabe and Ito (2008), safe for colour-blind readers.
-_COLOURS = {"mesh_frequency": "#0072B2", "ste": "#D55E00", "backlash": "#009E73", "wear": "#999999"}
+_COLOURS = {"mesh_frequency": "#0072B2", "ste": "#D55E00", "backlash": "#009E73", "states": "#999999"}
 _CLOUD, _INK = "#9AA5B1", "#000000"
 _LARGEST = 60.0  # area of the circle with most candidates, points squared
 

@@ -270,13 +270,13 @@ FIELDS: dict[str, Field] = {
     "usual_value": Field("", "its value in the study", _MEMBER),
     "companions": Field("", "keys changed along with it, empty for none", _MEMBER),
     # calibration
-    "claim": Field("", "statement of the paper about wear or the motion", (("claim",),)),
+    "claim": Field("", "statement of the paper about states or the motion", (("claim",),)),
     "sweep": Field("", "swept quantity", (("sweep",),)),
     "claim_agrees": Field("1", "1 where a candidate agrees with a claim in the quick look", (("candidate", "claim"),)),
     "candidate_merit": Field("1", "claims that agree, plus how far each is from agreeing", (("candidate",),)),
     "candidate_remark": Field("", "why a candidate cannot be computed, empty if it can", (("candidate",),)),
     "candidate_agreements": Field("1", "claims about a sweep that agree", (("candidate", "sweep"),)),
-    "claim_subject": Field("", "swept quantity that a claim is about, or wear", (("claim",),)),
+    "claim_subject": Field("", "swept quantity that a claim is about, or states", (("claim",),)),
     "claims_of_sweep": Field("1", "claims about a sweep", (("sweep",),)),
     "member_agrees": Field("1", "1 where a member agrees with a claim, computed in full", (("member", "claim"),)),
     **{
