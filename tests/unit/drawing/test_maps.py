@@ -57,3 +57,9 @@ def test_what_the_rows_show_is_not_said_again(name, coordinate, values, label, s
 
 def test_a_map_without_any_exponent_is_drawn():
     drawn("ste", plane("ste", [0.5, 1.0], np.full((2, 3), np.nan)))
+
+
+def test_what_is_not_decided_is_white_in_the_legend_as_in_the_map():
+    patch = drawn("ste", plane("ste", [0.5, 1.0], EXPONENT)).legends[0].get_patches()[-1]
+    assert patch.get_hatch() is None and to_hex(patch.get_facecolor()) == colour("not_converged").lower()
+    assert patch.get_linewidth() > 0

@@ -46,7 +46,7 @@ def draw(figure: Figure, plane: xr.Dataset, cfg: dict[str, Any]) -> None:
     for position, (axes, title) in enumerate(((classes, "motion class"), (exponent, "largest Lyapunov exponent"))):
         axes.set_title(f"{letter(position)} {title}", loc="left")
         axes.set_xlabel(swept.LABELS["mesh_frequency"])
-    state, keys = cfg["state"], motion_classes.keys(names)
+    state, keys = cfg["state"], motion_classes.keys(names, hatched=False)
     titles = {"temperature": states.cycles(state), "wear": states.temperature(state)}
     title = f"Case “{state['case']}”: {titles.get(cfg['map'], states.name(state))}"
     figure.legend(handles=keys, title=title, title_fontsize=7.5, loc="outside upper center", ncols=len(keys))

@@ -64,14 +64,22 @@ def draw_strip(axes: Axes, row: float, zones: Iterable[tuple[float, float, str]]
             axes.text(middle, row + 0.47, short(name), ha="center", va="center_baseline", color=tint, fontsize=6)
 
 
-def keys(names: Iterable[str]) -> list[Patch]:
-    """Return the legend entries of the classes named, in the order of the table of classes."""
+def keys(names: Iterable[str], hatched: bool = True) -> list[Patch]:
+    """Return the legend entries of the classes named, in the order of the table of classes.
+
+    Parameters
+    ----------
+    hatched : whether what is not decided is hatched, as in strips, or only white, as in maps.
+    """
     found = set(names)
     listed = [name for name in ("P1", "P2", "P4", "P8", "P3", "P6") if name in found]
     if any(name.startswith("P") and name not in _COLOURS for name in found):
         listed.append(_OTHER)
     listed += [name for name in ("QP", "CH", "not_converged") if name in found]
-    return [Patch(**_fill(name), linewidth=0, label=_worded(name)) for name in listed]
+    patches = [Patch(**_fill(name), linewidth=0, label=_worded(name)) for name in listed]
+    if not hatched and "not_converged" in found:
+        patches[-1].set(hatch=None, linewidth=0.4)
+    return patches
 
 
 def _worded(name: str) -> str:

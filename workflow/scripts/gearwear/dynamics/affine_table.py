@@ -68,17 +68,17 @@ def applies_to(oscillator: Oscillator) -> bool:
 @lru_cache(maxsize=8)
 def affine_table(oscillator: Oscillator, phases: tuple[float, ...] = ()) -> AffineTable:
     """Table of an oscillator, with cell edges at the mesh phases given (increasing, within [0, 1])."""
-    torque, tables, slack = oscillator.torque, [], np.zeros(3)
-    for period in range(torque.mesh_periods(MOST_PERIODS)):
-        coefficients = arrays(replace(oscillator, torque=torque.seen_from(period * torque.frequency_ratio)))
-        if phases:
-            coefficients = coefficients._replace(cells=cut_cells(coefficients.cells, phases, oscillator.period))
-        counts = cell_counts(*coefficients)
-        rows, own = np.zeros((counts.sum(), 3, WIDTH)), np.zeros(3)
-        fill_table(*coefficients, counts, np.empty(2 * TERMS), rows, own)
-        tables.append(rows)
-        slack = np.maximum(slack, own)
-    return AffineTable(np.array(tables), slack)
+    coefficients, torque = arrays(oscillator), oscillator.torque
+    if phases:
+        coefficients = coefficients._replace(cells=cut_cells(coefficients.cells, phases, oscillator.period))
+    counts, periods = cell_counts(*coefficients), torque.mesh_periods(MOST_PERIODS)
+    rows, slack = np.zeros((periods, counts.sum(), 3, WIDTH)), np.zeros((periods, 3))
+    for period in range(periods):
+        if period > 0:
+            later = replace(oscillator, torque=torque.seen_from(period * torque.frequency_ratio))
+            coefficients = coefficients._replace(harmonics=later.coefficients.harmonics)
+        fill_table(*coefficients, counts, np.empty(2 * TERMS), rows[period], slack[period])
+    return AffineTable(rows, slack.max(axis=0))
 
 
 def cut_cells(cells: np.ndarray, phases, period: float) -> np.ndarray:
