@@ -91,3 +91,16 @@ def test_a_torque_repeats_when_all_its_harmonics_do():
     torque = ExternalTorque(1.5, (0.1, 0.2), (0.0, 0.0))
     assert [torque.repeats_after(n) for n in (1, 2, 3, 4)] == [False, True, False, True]
     assert ExternalTorque(1.5, (0.0, 0.2), (0.0, 0.0)).repeats_after(1)
+
+
+def test_kernels_read_stiffness_force_and_clearance_with_their_phases():
+    """The force is -e'', by central differences of e over the mesh phase."""
+    waves = [Harmonics(1.0, (0.2, 0.1), (0.7, -2.1)), Harmonics(0.0, (0.3, 0.05), (-1.2, 0.4))]
+    oscillator = Oscillator(0.8, 0.05, 0.1, *waves, Harmonics(1.0, (0.1,), (2.5,)))
+    phase, step = np.linspace(0, 1, 17), 1e-4
+    bend = waves[1].at(phase + step) - 2 * waves[1].at(phase) + waves[1].at(phase - step)
+    expected = [waves[0].at(phase) - 1, -bend / (step * oscillator.period) ** 2, oscillator.clearance.at(phase) - 1]
+    angle = 2 * np.pi * np.arange(1, 3)[:, None] * phase
+    for column, values in enumerate(expected):
+        cosine, sine = oscillator.coefficients.harmonics[:, 2 * column : 2 * column + 2].T
+        np.testing.assert_allclose(cosine @ np.cos(angle) + sine @ np.sin(angle), values, atol=1e-6)
