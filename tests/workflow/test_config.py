@@ -127,7 +127,7 @@ BAD = [
     (
         "sensitivity.pinion_torque.high",
         100,
-        "100.0 is not above sensitivity.pinion_torque.low, 104.0; exchange them or widen the range",
+        "100.0 is not above sensitivity.pinion_torque.low, 108.0; exchange them or widen the range",
     ),
     # kinds of values
     ("sensitivity.damping_ratio.high", 2, "2.0 is not below 1; give a number from 1.0e-4 to below 1"),
