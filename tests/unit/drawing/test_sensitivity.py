@@ -82,7 +82,7 @@ def test_panels_say_what_lacks_and_what_cannot_be(table):
     words = [text.get_text() for text in panels["onset of chaos"].texts]
     assert words == ["none"]
     assert figure.get_supxlabel().startswith("Not possible: wear law constant")
-    stiffness = panels["mean mesh stiffness"]
+    stiffness = panels["mean stiffness"]
     assert stiffness.get_xlabel() == "Change, % of 300 N/µm"
     assert sorted(round(bar.get_width(), 6) for bar in stiffness.patches) == [-10, 0, 0, 0, 1]
 

@@ -34,15 +34,15 @@ _PERCENT = 100.0
 _OPTION, _LOW, _HIGH, _INK = "#009E73", "#56B4E9", "#D55E00", "#000000"
 
 _TITLES = {
-    "mean_stiffness_with": "mean mesh stiffness",
-    "stiffness_ripple_with": "stiffness ripple κ",
-    "relative_mean_error_with": "relative mean error",
-    "deepest_wear_pinion_with": "deepest wear, pinion",
-    "deepest_wear_gear_with": "deepest wear, gear",
-    "mean_half_backlash_with": "mean half backlash",
+    "mean_stiffness_with": "mean stiffness",
+    "stiffness_ripple_with": "ripple κ",
+    "relative_mean_error_with": "mean error",
+    "deepest_wear_pinion_with": "wear of pinion",
+    "deepest_wear_gear_with": "wear of gear",
+    "mean_half_backlash_with": "half backlash",
     "first_doubling_with": "first doubling",
     "chaos_onset_with": "onset of chaos",
-    "first_doubling_shift": "shift of the first doubling",
+    "first_doubling_shift": "shift of doubling",
 }
 
 
