@@ -58,10 +58,10 @@ def test_nothing_of_it_belongs_to_all(project):
 
 
 def test_a_bad_range_is_one_clear_error(project):
-    run = planned(project, {"sensitivity": {"pinion_torque": {"low": 160.0}}}, "sensitivity")
+    run = planned(project, {"sensitivity": {"pinion_torque": {"low": 170.0}}}, "sensitivity")
     assert run.returncode != 0
     assert (
         "configuration: 1 problem\n"
-        "  sensitivity.pinion_torque.high: 156.0 is not above sensitivity.pinion_torque.low, 160.0; exchange them or "
+        "  sensitivity.pinion_torque.high: 162.0 is not above sensitivity.pinion_torque.low, 170.0; exchange them or "
         "widen the range\n"
     ) in run.stdout
