@@ -90,7 +90,8 @@ def _draw_panel(axes: Axes, basin: xr.Dataset, title: str) -> None:
     axes.set_ylim(bottom, top)
     axes.set_title(title, loc="left")
     place = (0.5, -_TICKS / _PANEL)
-    axes.legend(handles=keys, loc="upper center", bbox_to_anchor=place, ncols=2, handlelength=1.0, columnspacing=0.6)
+    tight = {"handlelength": 1.0, "handletextpad": 0.2, "columnspacing": 0.6}
+    axes.legend(handles=keys, loc="upper center", bbox_to_anchor=place, ncols=2, **tight)
 
 
 def _draw_section(axes: Axes, attractor: xr.Dataset, colour: tuple[float, float, float], marker: str) -> Artist:
