@@ -23,7 +23,7 @@ _ROOM = 0.25  # of the height of the diagram, above and below it, beyond which n
 _EDGE = 0.03  # of the height, left free beyond the outermost orbit
 _LABEL = {"rotation": 90, "fontsize": 6, "ha": "center", "textcoords": "offset points", "zorder": 3.5}
 _ABOVE = 2.8  # points from a mark to its label
-_WIDE, _LONG = 0.02, 0.17  # of a label, over the width and the height of the diagram
+_WIDE, _LONG = 0.02, 0.15  # of a label, over the width and the height of the diagram
 _RIM = [patheffects.withStroke(linewidth=1.0, foreground="white")]
 
 
