@@ -33,8 +33,8 @@ def tree(tmp_path):
 
 
 def digest_of(tree):
-    module._stripped.cache_clear()
-    digest.cache_clear()
+    for cached in (module._files, module._neighbours, module._stripped, module._text, digest):
+        cached.cache_clear()
     return digest(tree / "stage.py", tree)
 
 

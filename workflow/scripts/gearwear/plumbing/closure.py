@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import ast
 import hashlib
-from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
 
@@ -27,7 +26,7 @@ def digest(script: str | Path, root: str | Path = SCRIPTS) -> str:
     total = hashlib.sha256()
     for path in closure(Path(script), Path(root)):
         name = path.relative_to(root) if path.is_relative_to(root) else path.name
-        total.update(f"{name}\0{ast.unparse(_stripped(path))}\0".encode())
+        total.update(f"{name}\0{_text(path)}\0".encode())
     return total.hexdigest()[:16]
 
 
@@ -40,9 +39,13 @@ def closure(script: Path, root: Path = SCRIPTS) -> list[Path]:
         if path in found:
             continue
         found.add(path)
-        for name in _imported(path):
-            todo += _files(name, root)
+        todo += _neighbours(path, root)
     return sorted(found)
+
+
+@lru_cache(None)
+def _text(path: Path) -> str:
+    return ast.unparse(_stripped(path))
 
 
 @lru_cache(None)
@@ -54,19 +57,20 @@ def _stripped(path: Path) -> ast.Module:
     return tree
 
 
-def _imported(path: Path) -> Iterator[str]:
+@lru_cache(None)
+def _neighbours(path: Path, root: Path) -> tuple[Path, ...]:
+    names: set[str] = set()
     for node in ast.walk(_stripped(path)):
         if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
+            names.update(alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
-            yield node.module or ""
-            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+            names.update((node.module or "", *(f"{node.module}.{alias.name}" for alias in node.names)))
+    return tuple(sorted({file for name in names for file in _files(name, root)}))
 
 
-def _files(name: str, root: Path) -> Iterator[Path]:
+@lru_cache(None)
+def _files(name: str, root: Path) -> tuple[Path, ...]:
     parts = name.split(".")
-    for depth in range(1, len(parts) + 1):
-        stem = root.joinpath(*parts[:depth])
-        for candidate in (stem.with_suffix(".py"), stem / "__init__.py"):
-            if candidate.is_file():
-                yield candidate
+    stems = [root.joinpath(*parts[:depth]) for depth in range(1, len(parts) + 1)]
+    candidates = [file for stem in stems for file in (stem.with_suffix(".py"), stem / "__init__.py")]
+    return tuple(file for file in candidates if file.is_file())
