@@ -11,6 +11,7 @@ sys.path.insert(0, str(Path(workflow.basedir) / "workflow" / "scripts"))
 
 
 configfile: Path(workflow.basedir) / "config" / "config.yaml"
+configfile: Path(workflow.basedir) / "config" / "studies" / "life.yaml"
 
 
 report: "workflow/report/study.rst"
@@ -21,6 +22,7 @@ include: "workflow/rules/state.smk"
 include: "workflow/rules/sweeps.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/extra_figures.smk"
+include: "workflow/rules/studies.smk"
 include: "workflow/rules/maps.smk"
 include: "workflow/rules/onsets.smk"
 include: "workflow/rules/sensitivity.smk"
@@ -50,6 +52,16 @@ rule onsets:
     input:
         "results/onsets.csv",
         "results/figures/onsets.svg",
+
+
+rule life:
+    input:
+        study_files("life"),
+
+
+rule studies:
+    input:
+        [study_files(study) for study in config["studies"]],
 
 
 rule sensitivity:

@@ -103,17 +103,33 @@ def test_variants_hold_the_events_in_every_way(onsets):
     assert 0 < moved[np.isfinite(moved)].max() < 1e-7
 
 
-def test_comparison_gives_a_row_an_event_and_a_figure(run, study, onsets, tmp_path):
+@pytest.fixture(scope="module")
+def member(run):
+    """File of the onsets of a member with the settings of the study."""
+    return run("measure_onsets", "member_onsets", {})
+
+
+def test_a_member_in_one_process_has_the_onsets_of_the_stages(onsets, member):
+    own, located = store.load(member).sel(case="without"), store.load(onsets[0])
+    for name in located.data_vars:
+        np.testing.assert_array_equal(own[name].values, located[name].values, err_msg=name)
+
+
+def test_comparison_gives_a_row_an_event_and_a_figure(run, study, onsets, member, tmp_path):
     names = list(ensemble.factors(study(CHANGES)["onsets"]))
     assert len(names) == 9
-    files = {"onsets": [onsets[0]] * 2, "variants": [onsets[1]] * 2, "members": [onsets[0]] * 2 * len(names)}
+    files = {"onsets": [onsets[0]] * 2, "variants": [onsets[1]] * 2, "members": [member] * len(names)}
     output = run("compare_onsets", "onset_shifts", files, "onset_shifts.nc", more={"table": "onsets.csv"})
     with open(output["table"], newline="") as file:
         rows = list(csv.DictReader(file))
     assert [row["event"] for row in rows] == list(EVENTS)
     assert {row["shift"] for row in rows} == {"0.000000"}
     assert {row["members"] for row in rows} == {"1"} and {row["members_with_event"] for row in rows} == {"1"}
-    assert {row["damping_ratio_low"] for row in rows} == {"0.000000"}
+    places = store.load(member)["onset"]
+    shifts = (places.sel(case="with") - places.sel(case="without")).values
+    assert np.isfinite(shifts).any()
+    for row, shift in zip(rows, shifts, strict=True):
+        assert row["damping_ratio_low"] == ("none" if np.isnan(shift) else f"{shift:.6f}")
     assert figure(output[0], tmp_path / "one") == figure(output[0], tmp_path / "two")
     table = store.load(output[0])
     assert list(table["member"].values) == names

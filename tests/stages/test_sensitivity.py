@@ -10,7 +10,7 @@ import pytest
 import xarray as xr
 
 from gearwear.chain.geometry import geometry
-from gearwear.chain.last_state import last_state
+from gearwear.chain.states import last_state
 from gearwear.plumbing import store
 from gearwear.plumbing.slices import slice_of
 from gearwear.sensitivity import measures as module

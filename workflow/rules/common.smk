@@ -1,8 +1,9 @@
 from snakemake.exceptions import WorkflowError
 
 from gearwear.plumbing import settings
+from gearwear.plumbing.chains import chain_of, chains, updates_of
 from gearwear.plumbing.closure import digest
-from gearwear.plumbing.members import members, temperature_root
+from gearwear.plumbing.members import hindrance, members, temperature_root
 from gearwear.plumbing.runlock import RunningAlready, hold, only_looks
 from gearwear.plumbing.slices import slice_of
 
@@ -25,6 +26,7 @@ if workflow.is_main_process and not only_looks(sys.argv[1:]):
 
 
 wildcard_constraints:
+    study="[a-z][a-z0-9_]*",
     root=r"(studies/[a-z][a-z0-9_]*/[a-z][a-z0-9_]*/)?",
     case="|".join(
         dict.fromkeys(case for member in MEMBERS.values() for case in member["cases"])
@@ -76,8 +78,12 @@ def code(script):
 
 def last(case, root=""):
     """The number of the last wear cycle of a case, as its files write it."""
-    settings = member(root)
-    return f"{round(settings['cases'][case]['running_cycles'] / settings['wear']['cycles_per_update']):03d}"
+    return f"{updates_of(member(root), case):03d}"
+
+
+def chain_file(settings, case):
+    """The wear chain of a case of a member, which members with the same settings behind it share."""
+    return f"results/studies/chains/{chain_of(settings, case)}.nc"
 
 
 def earlier(pattern):

@@ -18,16 +18,17 @@ def rows_of(stage):
         if wildcards.map in ("ste", "backlash"):
             return f"results/{case}/{stage}/q{last(case)}.nc"
         part, parts = (int(word) for word in wildcards.scatteritem.split("-of-"))
-        if wildcards.map == "wear":
-            cycles = range(int(last(case)) + 1)[part - 1 :: parts]
-            return [f"results/{case}/{stage}/q{q:03d}.nc" for q in cycles]
-        values = config["maps"]["temperature"][part - 1 :: parts]
-        roots = [temperature_root(value) for value in values]
-        return [
-            f"results/{root}{case}/{stage}/q{last(case, root)}.nc" for root in roots
-        ]
+        cycles = range(int(last(case)) + 1)[part - 1 :: parts]
+        return [f"results/{case}/{stage}/q{q:03d}.nc" for q in cycles]
 
     return files
+
+
+def temperature_chains(wildcards):
+    """The wear chains behind the rows of a tile of the map over the bulk temperature."""
+    part, parts = (int(word) for word in wildcards.scatteritem.split("-of-"))
+    roots = map(temperature_root, config["maps"]["temperature"][part - 1 :: parts])
+    return [chain_file(MEMBERS[root], wildcards.case) for root in roots]
 
 
 rule map_tile:
@@ -45,6 +46,8 @@ rule map_tile:
         "results/logs/{case}/map_tile/{map}/{scatteritem}.log",
     benchmark:
         "results/benchmarks/{case}/map_tile/{map}/{scatteritem}.tsv"
+    wildcard_constraints:
+        map="ste|backlash|wear",
     params:
         cfg=map_cfg,
         code=code("map_tile.py"),
@@ -52,6 +55,27 @@ rule map_tile:
         "Case {wildcards.case}: mapping mesh frequency and {wildcards.map}, tile {wildcards.scatteritem}."
     script:
         "../scripts/map_tile.py"
+
+
+rule map_temperature:
+    input:
+        chains=temperature_chains,
+    output:
+        "results/{case}/maps/tiles/temperature/{scatteritem}.nc",
+    log:
+        "results/logs/{case}/map_temperature/{scatteritem}.log",
+    benchmark:
+        "results/benchmarks/{case}/map_temperature/{scatteritem}.tsv"
+    params:
+        cfg=lambda wildcards: {
+            "map": cfg("map_temperature")(wildcards),
+            "updates": updates_of(config, wildcards.case),
+        },
+        code=code("map_temperature.py"),
+    message:
+        "Case {wildcards.case}: mapping mesh frequency and bulk temperature, tile {wildcards.scatteritem}."
+    script:
+        "../scripts/map_temperature.py"
 
 
 rule join_map:

@@ -13,10 +13,10 @@ def main_sweep(sweep):
     return in_order
 
 
-def ensemble_onsets(case):
-    """The onsets of a case for every member of the ensemble, in their order."""
+def ensemble_onsets():
+    """The onsets of every member of the ensemble, in their order."""
     return [
-        f"results/studies/{ensemble.STUDY}/{name}/{case}/onsets.nc"
+        f"results/studies/{ensemble.STUDY}/{name}/member_onsets.nc"
         for name in ensemble.factors(config["onsets"])
     ]
 
@@ -74,11 +74,27 @@ rule vary_onsets:
         "../scripts/vary_onsets.py"
 
 
+rule measure_onsets:
+    output:
+        "results/{root}member_onsets.nc",
+    log:
+        "results/logs/{root}measure_onsets.log",
+    benchmark:
+        "results/benchmarks/{root}measure_onsets.tsv"
+    params:
+        cfg=cfg("member_onsets"),
+        code=code("measure_onsets.py"),
+    message:
+        "Wearing both cases of a member and locating their onsets: results/{wildcards.root}member_onsets.nc."
+    script:
+        "../scripts/measure_onsets.py"
+
+
 rule compare_onsets:
     input:
         onsets=expand("results/{case}/onsets.nc", case=SHIFTED),
         variants=expand("results/{case}/onset_variants.nc", case=SHIFTED),
-        members=[ensemble_onsets(case) for case in SHIFTED],
+        members=ensemble_onsets(),
     output:
         shifts="results/onset_shifts.nc",
         table="results/onsets.csv",

@@ -1,4 +1,3 @@
-from gearwear.plumbing.members import hindrance
 from gearwear.sensitivity import variations
 
 

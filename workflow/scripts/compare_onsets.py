@@ -17,8 +17,8 @@ def main(job):
         {case: store.load(path) for case, path in zip(CASES, paths, strict=True)}
         for paths in (job.input.onsets, job.input.variants)
     )
-    files = iter(job.input.members)
-    members = {case: {name: store.load(next(files)) for name in factors} for case in CASES}
+    loaded = [store.load(path) for path in job.input.members]
+    members = {case: {name: one.sel(case=case) for name, one in zip(factors, loaded, strict=True)} for case in CASES}
     compared = shifts(onsets, variants, members, cfg["sweeps"]["order"], factors)
     store.save(compared, job)
     rows = table.rows(compared)

@@ -1,10 +1,17 @@
-"""The axes of maps: the mesh frequency and, across it, another parameter of the oscillator or a state of the pair."""
+"""Maps: settled motions over the mesh frequency and, across it, another parameter or a state of the pair."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
+import xarray as xr
+
+from gearwear.attractors.record import columns
+from gearwear.attractors.settling import Settling, settle_many
+from gearwear.dynamics.excitation import Excitation, rest_state
+from gearwear.dynamics.oscillator import Oscillator
 
 COORDINATES = {
     "ste": "ste",
@@ -12,6 +19,17 @@ COORDINATES = {
     "temperature": "bulk_temperature",
     "wear": "running_cycles",
 }
+_KEPT = (
+    "motion_class",
+    "reason",
+    "conflict",
+    "period",
+    "lyapunov_exponent",
+    "lyapunov_exponent_error",
+    "transient_periods",
+    "contact_loss_share",
+    "force_max",
+)
 
 
 def values(axis: dict[str, Any] | list[float]) -> np.ndarray:
@@ -19,3 +37,33 @@ def values(axis: dict[str, Any] | list[float]) -> np.ndarray:
     if isinstance(axis, list):
         return np.array(axis, dtype=float)
     return np.linspace(axis["first"], axis["last"], axis["points"])
+
+
+def tile(
+    name: str,
+    rows: np.ndarray,
+    frequencies: np.ndarray,
+    oscillators: Iterable[tuple[Excitation, list[Oscillator]]],
+    cfg: dict[str, Any],
+) -> xr.Dataset:
+    """Return some rows of a map, every motion from rest.
+
+    Parameters
+    ----------
+    name : of the map, a key of COORDINATES.
+    rows, frequencies : (rows,) and (columns,), values of the axes.
+    oscillators : of every row, its excitation and one oscillator a column.
+    cfg : the sections `dynamics` and `settling`.
+    """
+    dynamics, settling = cfg["dynamics"], Settling(**cfg["settling"])
+    tables = []
+    for source, at in oscillators:
+        begins = [rest_state(source, oscillator, dynamics) for oscillator in at]
+        motions = settle_many(at, begins, settling, dynamics["tolerance"])
+        tables.append(columns(motions, settling.sampled_periods, source.force_parameter))
+    none = columns([], settling.sampled_periods, 1.0)
+    whole = {key: np.array([table[key][1] for table in tables], dtype=none[key][1].dtype) for key in _KEPT}
+    return xr.Dataset(
+        {key: (("row", "column"), found.reshape(len(rows), len(frequencies))) for key, found in whole.items()},
+        {COORDINATES[name]: ("row", rows), "mesh_frequency": ("column", frequencies)},
+    )

@@ -10,7 +10,7 @@ import numpy as np
 from gearwear.attractors.section import recurrences, shrinking_periods
 from gearwear.attractors.settling import Settling, settle_many
 from gearwear.chain.geometry import geometry
-from gearwear.chain.last_state import last_state, states
+from gearwear.chain.states import last_state, states_of_case
 from gearwear.claims.study import Study
 from gearwear.claims.sweeps import Sweep
 from gearwear.dynamics import motion_class
@@ -55,7 +55,7 @@ def pair_of(config: dict[str, Any]) -> Pair:
     """
     pair, torque, dynamics = geometry(config), config["operation"]["pinion_torque"], config["dynamics"]
     reference = last_state(config, pair, dynamics["reference_case"])
-    hot = list(states(config, pair, "with", reference))
+    hot = list(states_of_case(config, pair, "with", reference))
     last = {"without": last_state(config, pair, "without", reference), "with": hot[-1]}
     sources = {case: excitation(pair, state, reference, torque, dynamics) for case, state in last.items()}
     results = {"geometry": pair} | {("wear", "with", cycle): state[["wear_depth"]] for cycle, state in enumerate(hot)}

@@ -7,10 +7,13 @@ all problems of a configuration appear in one message.
 from __future__ import annotations
 
 import difflib
+import itertools
+import math
 import re
 from collections.abc import Iterator
 from typing import Any
 
+from gearwear.plumbing.grids import MOST_COMBINATIONS
 from gearwear.plumbing.key_types import CASE_NAME, SWEEPS
 from gearwear.plumbing.study_sections import MOST_CYCLES
 from gearwear.plumbing.wording import dotted, figure, listed, shown
@@ -19,7 +22,7 @@ from gearwear.sensitivity.parameters import out_of_order
 REQUIRED_CASES = ("without", "temperature_only", "wear_only", "with")
 DRAWN_PORTRAITS = (("mesh_frequency", "without"), ("mesh_frequency", "with"), ("ste", "with"), ("backlash", "with"))
 RESERVED_NAMES = ("figures", "logs", "benchmarks", "geometry", "studies")
-MADE_STUDIES = ["temperature", "onsets", "sensitivity"]
+MADE_STUDIES = ["temperature", "onsets", "sensitivity", "chains"]
 MOST_UPDATES = 999
 _LONGEST_NAME = 60
 _MOST_NAMED = 12
@@ -196,6 +199,36 @@ def _studies(values: dict[str, Any]) -> Iterator[Problem]:
         for member in _at(study, "members") or {}:
             if not _names_a_folder(member):
                 yield ("studies", name, "members", member), f"not a name of a member; {_FOLDER_NAME}"
+        if isinstance(study, dict):
+            yield from ((("studies", name, *path), text) for path, text in _grid(values, study))
+
+
+def _grid(values: dict[str, Any], study: dict[str, Any]) -> Iterator[Problem]:
+    grid, case, cases = study.get("grid") or {}, study.get("case", "with"), _at(values, "cases")
+    if bool(grid) == bool(study.get("members")):
+        yield ("grid",), "a study has either members or a grid; give one of them"
+    if grid and isinstance(cases, dict) and case not in cases:
+        yield ("case",), _no_such_case(case, cases)
+    known = _dotted_keys({name: section for name, section in values.items() if name != "studies"})
+    for key in grid:
+        if key not in known:
+            near = difflib.get_close_matches(key[:_LONGEST_NAME], known, 1)
+            yield ("grid", key), f"no key with a value of its own{f'; did you mean {near[0]}?' if near else ''}"
+    for key, several in grid.items():
+        for before, value in itertools.pairwise(several):
+            numbers = all(isinstance(one, int | float) and not isinstance(one, bool) for one in (before, value))
+            if value in several[: several.index(value)] or (numbers and value <= before) or value == before:
+                yield ("grid", key), f"{shown(value)} does not come after {shown(before)}; sort the values, each once"
+    count = math.prod(len(several) for several in grid.values())
+    if count > MOST_COMBINATIONS:
+        yield ("grid",), f"{count} combinations are more than {MOST_COMBINATIONS}; give fewer values"
+
+
+def _dotted_keys(values: dict[str, Any], before: str = "") -> list[str]:
+    found: list[str] = []
+    for name, value in values.items():
+        found += _dotted_keys(value, f"{before}{name}.") if isinstance(value, dict) else [f"{before}{name}"]
+    return found
 
 
 def _names_a_folder(name: str) -> bool:

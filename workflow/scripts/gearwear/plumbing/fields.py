@@ -14,6 +14,10 @@ CONFLICTS = dict(zip(motion_class.CONFLICT_MEANINGS, motion_class.CONFLICT_VALUE
 REASONS = dict(zip(motion_class.REASON_MEANINGS, motion_class.REASON_VALUES, strict=True))
 
 
+WEAR_CYCLE = "wear_cycle"
+_AXES = (WEAR_CYCLE, "member")
+
+
 class Field(NamedTuple):
     """Entry of one variable: unit (empty for flags), name, allowed dimensions, CF flags, may hold nan."""
 
@@ -28,26 +32,47 @@ _SCALAR, _GEAR = ((),), (("gear",),)
 _PATH, _BOTH = (("path",),), (("gear", "path"),)
 _ROW, _COLUMN, _PLANE = (("row",),), (("column",),), (("row", "column"),)
 _PHASE, _POINT = (("mesh_phase",),), (("point",), ())
-_MEMBER, _EVENT, _WAYS, _MEMBERS = (("member",),), (("event",),), (("variant", "event"),), (("member", "event"),)
-_STATE = (("case",), ("member", "case"))
+_MEMBER, _EVENT, _MEMBERS = (("member",),), (("event",),), (("member", "event"),)
+_EVENTS = _EVENT + (("variant", "event"), ("case", "event"))
+_STATE = (("case",), ())
 _NODE, _BRANCH = (("node",),), (("branch",),)
 _ATTRACTOR = (("point", "attractor"),)
-_MOTION, _SECTION = _POINT + _ATTRACTOR, (("point", "sample"), ("point", "attractor", "sample"))
+_MOTION, _SECTION = (*_POINT, *_ATTRACTOR, ("order", "point")), (("point", "sample"), ("point", "attractor", "sample"))
 
 
 def field_of(name: str, dims: tuple[str, ...]) -> Field:
     """Return the entry of a variable; a swept coordinate may share its name with a quantity of the mesh.
 
+    The axes along which whole states or outcomes are lined up may come before the dimensions of the entry: wear cycles,
+    members of a study, and the keys of its grid, which are axes by their dotted names.
+
     Raises
     ------
     ValueError : no such variable, or other dimensions than the table allows.
     """
-    for field in (FIELDS.get(f"swept {name}"), FIELDS.get(name)):
-        if field is not None and dims in field.dims:
-            return field
+    if "." in name:
+        return _of_key(name, dims)
+    own = dims
+    while True:
+        for field in (FIELDS.get(f"swept {name}"), FIELDS.get(name)):
+            if field is not None and own in field.dims:
+                return field
+        if not own or not (own[0] in _AXES or "." in own[0]):
+            break
+        own = own[1:]
     if name not in FIELDS:
         raise ValueError(f"{name}: no entry in the table of fields")
     raise ValueError(f"{name}: dimensions {dims}, expected one of {FIELDS[name].dims}")
+
+
+def _of_key(key: str, dims: tuple[str, ...]) -> Field:
+    """Return the entry of a key of the configuration as an axis of a study."""
+    from gearwear.plumbing.schema import declared_at  # slow to import, and few files have such axes
+
+    declared = declared_at(key)
+    if declared is None or dims != (key,):
+        raise ValueError(f"{key}: dimensions {dims}, expected a key of the configuration along itself")
+    return Field(declared.unit, declared.meaning, ((key,),))
 
 
 FIELDS: dict[str, Field] = {
@@ -57,7 +82,11 @@ FIELDS: dict[str, Field] = {
     "mesh_phase": Field("1", "part of the mesh period since a pair entered", _PHASE),
     "pair": Field("", "pair in contact", (("pair",),)),
     "influence": Field("", "quantity raised by ten per cent", (("influence",),)),
+    WEAR_CYCLE: Field("1", "updates of the worn profile so far", ((WEAR_CYCLE,),)),
     "harmonic": Field("1", "order of the mesh frequency", (("harmonic",),)),
+    "reference_mesh_stiffness": Field("N m-1", "mesh stiffness of the reference case", _PHASE),
+    "reference_effective_stiffness": Field("N m-1", "effective stiffness of the reference case", _PHASE),
+    "reference_transmission_error": Field("m", "transmission error of the reference case", _PHASE),
     # geometry
     "teeth": Field("1", "number of teeth", _GEAR),
     "module": Field("m", "module", _SCALAR),
@@ -231,15 +260,15 @@ FIELDS: dict[str, Field] = {
     "error": Field("", "contribution to the numerical error", (("error",),)),
     "member": Field("", "member of the study", _MEMBER),
     "parameter": Field("", "parameter varied over the ensemble", (("parameter",),)),
-    "onset": Field("1", "mesh frequency over natural frequency at the event", _EVENT + _WAYS, None, True),
-    "onset_seen": Field("1", "mesh frequency where the sweep shows the event", _EVENT + _WAYS, None, True),
-    "onset_how": Field("", "how the sweep meets the event", _EVENT + _WAYS, HOW),
-    "onset_resolution": Field("1", "how far below the onset the event may lie", _EVENT + _WAYS, None, True),
-    "onset_remark": Field("", "the same in words", _EVENT + _WAYS),
+    "onset": Field("1", "mesh frequency over natural frequency at the event", _EVENTS, None, True),
+    "onset_seen": Field("1", "mesh frequency where the sweep shows the event", _EVENTS, None, True),
+    "onset_how": Field("", "how the sweep meets the event", _EVENTS, HOW),
+    "onset_resolution": Field("1", "how far below the onset the event may lie", _EVENTS, None, True),
+    "onset_remark": Field("", "the same in words", _EVENTS),
     "onset_without": Field("1", "onset in case without", _EVENT, None, True),
     "onset_with": Field("1", "onset in case with", _EVENT, None, True),
     "onset_shift": Field("1", "onset in case with less that in case without", _EVENT, None, True),
-    "variant_shift": Field("1", "shift of the event where the sweeps show it", _WAYS, None, True),
+    "variant_shift": Field("1", "shift of the event where the sweeps show it", (("variant", "event"),), None, True),
     "shift_error": Field("1", "numerical error of the shift", (("error", "event"),), None, True),
     "factor": Field("1", "factor on the value of the study", (("member", "parameter"),)),
     "member_shift": Field("1", "shift of the onset", _MEMBERS, None, True),
@@ -254,16 +283,26 @@ FIELDS: dict[str, Field] = {
     "mean_stiffness": Field("N m-1", "mean mesh stiffness in the equation of motion", _STATE, None, True),
     "stiffness_ripple": Field("1", "first harmonic of the mesh stiffness over its mean", _STATE, None, True),
     "mean_half_backlash": Field("m", "half clearance, mean over the mesh", _STATE, None, True),
-    "deepest_wear": Field(
-        "m", "largest wear depth of the flank", tuple((*dims, "gear") for dims in _STATE), None, True
-    ),
+    "deepest_wear": Field("m", "largest wear depth of the flank", (("case", "gear"), ("gear",)), None, True),
     "first_doubling": Field(
         "1", "mesh frequency over natural frequency at the first period doubling", _STATE, None, True
     ),
     "first_doubling_remark": Field("", "the same in words", _STATE),
     "chaos_onset": Field("1", "mesh frequency over natural frequency where chaos begins", _STATE, None, True),
     "chaos_onset_remark": Field("", "the same in words", _STATE),
-    "hindrance": Field("", "why the state cannot be computed, empty if it can", _STATE),
+    "hindrance": Field("", "why the state, or the next one, cannot be computed; empty if it can", _STATE),
+    # outcomes of studies
+    "order": Field("", "order of the points of a sweep", (("order",),)),
+    "member_name": Field("", "folder of the member", _SCALAR),
+    "pinion_speed": Field("rpm", "speed of the pinion", (("point",),), None, True),
+    "natural_speed": Field(
+        "rpm", "speed of the pinion at which the mesh frequency is the natural frequency", _SCALAR, None, True
+    ),
+    "running_speed": Field("rpm", "speed under which the flanks heat up and wear", _SCALAR, None, True),
+    "running_ratio": Field("1", "mesh frequency over natural frequency at that speed", _SCALAR, None, True),
+    "running_class": Field("", "class of the motion at that speed", _SCALAR, MOTION_CLASSES),
+    "running_force": Field("1", "largest mesh force over mean mesh force at that speed", _SCALAR, None, True),
+    "running_contact_loss": Field("1", "part of the time out of contact at that speed", _SCALAR, None, True),
     "group": Field("", "kind of what is varied: option or parameter", _MEMBER),
     "key": Field("", "key of the configuration that is varied", _MEMBER),
     "value": Field("", "its value", _MEMBER),

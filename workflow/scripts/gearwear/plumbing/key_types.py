@@ -92,15 +92,15 @@ def plain(meaning: str) -> Any:
     return Field(description=meaning)
 
 
-def target(meaning: str, unit: str | None = None, **limits: float) -> Any:
+def target(meaning: str, unit: str | None = None, **limits: Any) -> Any:
     """Declare a key that decides which files are made and never what stands in them."""
     extra = {"decides_targets": True} | ({"unit": unit} if unit else {})
     return Field(description=meaning, json_schema_extra=extra, **limits)
 
 
-def table(meaning: str, entries: str) -> Any:
+def table(meaning: str, entries: str, **default: Any) -> Any:
     """Declare a table whose free names are not those of cases; it decides which files are made."""
-    return Field(description=meaning, json_schema_extra={"decides_targets": True, "entries": entries})
+    return Field(description=meaning, json_schema_extra={"decides_targets": True, "entries": entries}, **default)
 
 
 def is_section(annotation: Any) -> bool:

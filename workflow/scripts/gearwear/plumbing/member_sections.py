@@ -2,16 +2,32 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Annotated, Any
 
-from gearwear.plumbing.key_types import CaseName, Number, Section, Whole, quantity, table, target
+from pydantic import Field, Strict
+
+from gearwear.plumbing.key_types import CaseName, Name, Number, Section, Whole, quantity, table, target
+
+_Values = Annotated[list[Any], Strict(), Field(min_length=1, max_length=1000)]
 
 
 class Study(Section):
-    """Members: the same study with a few keys overridden, each computed in results/studies/STUDY/MEMBER."""
+    """Members, the same study with a few keys changed, each computed in results/studies/STUDY/MEMBER.
 
+    They are named one by one in `members`, or are all combinations of the values in `grid`.
+    """
+
+    case: Name = target("Case that the combinations of a grid are about.", default="with")
+    settings: dict[str, Any] = table(
+        "Keys in which all members differ from this configuration, nested as here.", "sections", default={}
+    )
+    grid: dict[str, _Values] = table(
+        "Values of keys, each written with dots: dynamics.damping_ratio. Every combination is a member.",
+        "keys",
+        default={},
+    )
     members: dict[CaseName, dict[Any, Any]] = table(
-        "Keys in which the member differs from this configuration, nested as here.", "members"
+        "Keys in which the member differs from this configuration, nested as here.", "members", default={}
     )
 
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from gearwear.onsets import ensemble
+from gearwear.plumbing.grids import combinations, nested, slug
 from gearwear.plumbing.settings import ConfigError, check
 from gearwear.plumbing.wording import dotted
 from gearwear.sensitivity import variations
@@ -23,13 +24,17 @@ def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
     Returns
     -------
     folder, "" or "studies/STUDY/MEMBER/" -> checked configuration; that of a member has no studies. An option that the
-    rest of the configuration does not allow makes no member of the study of the sensitivity; see `hindrance`.
+    rest of the configuration does not allow makes no member of the study of the sensitivity, and an impossible
+    combination none of a grid; see `hindrance`.
 
     Raises
     ------
     ConfigError : with one line for every problem of any member, naming the member and the key.
     """
     found, problems = {"": config}, []
+    for study, declared in config["studies"].items():
+        if reason := hindrance(config, declared["settings"]):
+            problems.append((f"studies/{study}/", (("settings",), reason)))
     for study, table in _studies(config).items():
         for member, overrides in table.items():
             root = f"studies/{study}/{member}/"
@@ -39,7 +44,7 @@ def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
             try:
                 found[root] = check(merged({**config, "studies": {}}, overrides))
             except ConfigError as error:
-                if study == variations.STUDY:
+                if study == variations.STUDY or config["studies"].get(study, {}).get("grid"):
                     continue
                 problems += [(root, problem) for _, problem in error.problems]
     if problems:
@@ -68,7 +73,18 @@ def merged(base: Overrides, overrides: Overrides) -> dict[str, Any]:
 
 def temperature_root(value: float) -> str:
     """Return the folder of the member that has a bulk temperature, degC, of the map over it."""
-    return f"studies/temperature/t{value:g}/".replace("-", "m").replace(".", "_").replace("+", "")
+    return f"studies/temperature/t{slug(value)}/"
+
+
+def overrides_of(study: dict[str, Any], values: dict[str, Any]) -> dict[str, Any]:
+    """Return the keys in which a combination of the grid of a study differs from the configuration.
+
+    Parameters
+    ----------
+    study : an entry of the section `studies`.
+    values : of the keys of its grid.
+    """
+    return merged(study["settings"], nested(values))
 
 
 def _studies(config: dict[str, Any]) -> dict[str, Mapping[str, Overrides]]:
@@ -77,7 +93,11 @@ def _studies(config: dict[str, Any]) -> dict[str, Mapping[str, Overrides]]:
         temperature_root(value).split("/")[2]: {"cases": {maps["case"]: {"bulk_temperature": value}}}
         for value in maps["temperature"]
     }
-    declared = {name: study["members"] for name, study in config["studies"].items()}
+    declared = {
+        name: {member: merged(study["settings"], overrides) for member, overrides in study["members"].items()}
+        | {one.name: overrides_of(study, one.values) for one in combinations(study["grid"])}
+        for name, study in config["studies"].items()
+    }
     made = {
         "temperature": temperatures,
         ensemble.STUDY: ensemble.overrides(config),

@@ -73,7 +73,7 @@ def _read_section(model: type[Section], raw: Any, path: tuple, problems: list[Pr
     for name, field in fields.items():
         if name in found:
             values[name] = _read_key(field, found[name], (*path, name), problems)
-        elif isinstance(raw, Mapping):
+        elif isinstance(raw, Mapping) and field.is_required():
             problems.append(((*path, name), _missing(field)))
     return _usable(values)
 

@@ -41,19 +41,34 @@ _MADE_BY = {
     "branches": ("continue_orbits",),
     "portraits": ("trace_portraits",),
     "basins": ("map_basins",),
-    "tiles": ("map_tile",),
+    "chains": ("run_chain",),
+    "tiles": ("map_tile", "map_temperature"),
     "maps": ("join_map",),
     "onsets": ("locate_onsets",),
     "onset_variants": ("vary_onsets",),
+    "member_onsets": ("measure_onsets",),
     "onset_shifts": ("compare_onsets",),
     "measures": ("measure_member",),
+    "outcome": ("measure_outcome",),
+    "study": ("gather_study",),
     "sensitivity": ("compare_members",),
     "searches": ("search_parameters",),
     "calibration": ("compare_candidates",),
 }
 
 # names of nothing else
-_SINGLE = ("geometry", "onsets", "onset_variants", "onset_shifts", "measures", "sensitivity", "calibration")
+_SINGLE = (
+    "geometry",
+    "onsets",
+    "onset_variants",
+    "member_onsets",
+    "onset_shifts",
+    "measures",
+    "outcome",
+    "study",
+    "sensitivity",
+    "calibration",
+)
 
 
 def load(path: str | Path) -> xr.Dataset:
@@ -97,7 +112,14 @@ def _makers(path: Path) -> tuple[str, ...]:
     folder, above = path.parent.name, path.parent.parent.name
     if re.fullmatch(r"\d+-of-\d+", path.stem):
         return _MADE_BY["tiles" if above == "tiles" else "parts"]
-    if re.fullmatch(r"q\d{3}", path.stem) or folder in ("branches", "portraits", "basins", "maps", "searches"):
+    if re.fullmatch(r"q\d{3}", path.stem) or folder in (
+        "chains",
+        "branches",
+        "portraits",
+        "basins",
+        "maps",
+        "searches",
+    ):
         return _MADE_BY.get(folder, ())
     if above == "sweeps" and folder in ("restart", "up", "down"):
         return _MADE_BY[folder]

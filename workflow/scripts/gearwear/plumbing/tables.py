@@ -11,6 +11,14 @@ import jinja2
 from gearwear.plumbing import store
 
 
+def write_rows(rows: Sequence[dict[str, str]], path: str) -> None:
+    """Write rows with the same keys, at least one, as CSV, complete or not at all."""
+    with store.atomic(path) as temporary, open(temporary, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
 def write(job, title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
     """Write the table as the outputs of `job`; all text on the page is escaped.
 

@@ -7,20 +7,12 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from gearwear.attractors.chain import carried
-from gearwear.attractors.record import columns
-from gearwear.attractors.settling import Settling, settle_many
 from gearwear.chain.geometry import geometry
-from gearwear.chain.last_state import last_state
-from gearwear.dynamics.excitation import Excitation, excitation, rest_state
+from gearwear.chain.states import last_state
+from gearwear.dynamics.excitation import excitation
 from gearwear.geometry.involute import GEARS
-from gearwear.onsets import route
+from gearwear.onsets import whole_route
 from gearwear.onsets.shifts import CASES
-from gearwear.orbits import record
-from gearwear.orbits.branches import explore
-from gearwear.orbits.continuation import Limits
-from gearwear.orbits.return_map import COARSEST, return_maps
-from gearwear.orbits.seeds import seeds
 from gearwear.plumbing.stage import worded
 
 _NUMBERS = ("mean_stiffness", "stiffness_ripple", "relative_mean_error", "mean_half_backlash")
@@ -63,7 +55,7 @@ def _of(config: dict[str, Any], pair: xr.Dataset, state: xr.Dataset, reference: 
         "deepest_wear": ("gear", state["wear_depth"].values.max(axis=1)),
         "hindrance": "",
     }
-    events = _route(config, source)
+    events = whole_route.events(config, source, [whole_route.swept(config, source, config["sweeps"]["order"])], 1)
     for name, place in _EVENTS.items():
         values |= {name: events[place].value, f"{name}_remark": events[place].remark}
     return xr.Dataset(values)
@@ -72,40 +64,3 @@ def _of(config: dict[str, Any], pair: xr.Dataset, state: xr.Dataset, reference: 
 def _nothing(reason: str) -> xr.Dataset:
     values = dict.fromkeys((*_NUMBERS, *_EVENTS), np.nan) | dict.fromkeys([f"{name}_remark" for name in _EVENTS], "")
     return xr.Dataset(values | {"deepest_wear": ("gear", np.full(len(GEARS), np.nan)), "hindrance": reason})
-
-
-def _route(config: dict[str, Any], source: Excitation):
-    """Return the events along the mesh frequency; of the branches, only those of period 1 are followed."""
-    dynamics, swept = config["dynamics"], config["sweeps"]["mesh_frequency"]
-    settling, order = Settling(**config["settling"]), config["sweeps"]["order"]
-    sweep = _sweep(source, dynamics, settling, np.linspace(swept["first"], swept["last"], swept["points"]), order)
-    limits = Limits(
-        swept["first"],
-        swept["last"],
-        config["branches"]["largest_step"],
-        most_nodes=config["branches"]["most_nodes"],
-    )
-    names = (route.SWEEP, "motion_class", "transient_periods", "section_displacement", "section_velocity")
-    maps = return_maps(lambda value: source.oscillator(dynamics, value), min(dynamics["tolerance"], COARSEST))
-    branches = explore(maps, seeds(*(sweep[name].values for name in names), 1), limits, 1)
-    state = route.State(source, dynamics, settling, xr.Dataset(record.columns(branches, 1, route.SWEEP)))
-    return route.along(state, sweep, order, config["onsets"]["refinement"])
-
-
-def _sweep(
-    source: Excitation, dynamics: dict[str, Any], settling: Settling, values: np.ndarray, order: str
-) -> xr.Dataset:
-    oscillators = [source.oscillator(dynamics, float(value)) for value in values]
-
-    def rest(oscillator):
-        return rest_state(source, oscillator, dynamics)
-
-    if order == "restart":
-        starts = np.array([rest(oscillator) for oscillator in oscillators])
-        motions = settle_many(oscillators, starts, settling, dynamics["tolerance"])
-    else:
-        along = slice(None, None, -1 if order == "down" else 1)
-        motions = carried(oscillators[along], rest, settling, dynamics["tolerance"])[along]
-    return xr.Dataset(
-        columns(motions, settling.sampled_periods, source.force_parameter), {route.SWEEP: ("point", values)}
-    )

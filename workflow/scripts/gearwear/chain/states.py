@@ -19,20 +19,20 @@ from gearwear.plumbing.store import together
 
 
 def states(
-    config: dict[str, Any], geometry: xr.Dataset, case: str, reference: xr.Dataset | None = None
+    cfg: dict[str, Any], geometry: xr.Dataset, updates: int, reference: xr.Dataset | None = None
 ) -> Iterator[xr.Dataset]:
     """Yield wear, mesh stiffness, transmission error and backlash of a case after every wear cycle, unworn first.
 
     Parameters
     ----------
-    config : the sections that the stages of the chain read.
-    reference : the same of the pristine reference case; not needed by a case that does not wear.
+    cfg : the sections that the stages of the chain read, and the entry `case`.
+    updates : wear cycles after the unworn state.
+    reference : the same of the pristine reference case; not needed without wear.
 
     Raises
     ------
     ValueError : the settings lead to a state that cannot be.
     """
-    cfg = config | {"case": config["cases"][case]}
     grown = deformation(cfg, geometry, temperature(cfg, geometry))
 
     def state_of(flanks):
@@ -42,15 +42,24 @@ def states(
 
     state = state_of(unworn(geometry))
     yield together(state)
-    for _ in range(round(cfg["case"]["running_cycles"] / cfg["wear"]["cycles_per_update"])):
+    for _ in range(updates):
         motion = response(cfg, geometry, together(state), reference)
         state = state_of(worn(cfg, geometry, *state[:3], motion))
         yield together(state)
+
+
+def states_of_case(
+    config: dict[str, Any], geometry: xr.Dataset, case: str, reference: xr.Dataset | None = None
+) -> Iterator[xr.Dataset]:
+    """Yield the states of a case of the configuration, to its running cycles; see `states`."""
+    settings = config["cases"][case]
+    updates = round(settings["running_cycles"] / config["wear"]["cycles_per_update"])
+    return states(config | {"case": settings}, geometry, updates, reference)
 
 
 def last_state(
     config: dict[str, Any], geometry: xr.Dataset, case: str, reference: xr.Dataset | None = None
 ) -> xr.Dataset:
     """Return the last of the states of a case."""
-    *_, last = states(config, geometry, case, reference)
+    *_, last = states_of_case(config, geometry, case, reference)
     return last
