@@ -329,7 +329,7 @@ def test_a_bad_key_gives_its_message(path, value, text):
             [
                 "studies.heat.members.t2: 3 is not a group of keys; give keys of the configuration with their values",
                 "studies.wear.member: unknown key (did you mean studies.wear.members?)",
-                "studies.wear.members: missing section; give names of members with their values below it",
+                "studies.wear.grid: a study has either members or a grid; give one of them",
                 "studies.Heat: not a name of a study; use small letters, digits and underscores, a letter first, "
                 "at most 60 of them",
                 "studies.Heat.members.(text 't 1'): not a name of a member; use small letters, digits and underscores, "

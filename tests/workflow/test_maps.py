@@ -55,8 +55,12 @@ def test_only_a_lost_tile_is_made_anew(mapped):
     assert kept.stat().st_mtime_ns == made
 
 
-def test_the_temperature_map_asks_for_a_chain_of_every_temperature(mapped):
-    run = mapped.snakemake("-n", *SMOKE, "maps")
+def test_every_row_of_the_temperature_map_has_the_state_of_its_own_chain(mapped):
+    run = mapped.snakemake("-j2", *SMOKE, "results/with/maps/temperature.nc")
     assert run.returncode == 0, run.stdout[-5000:]
-    for name in ("t60", "t100"):
-        assert f"results/studies/temperature/{name}/with/wear/q003.nc" in run.stdout
+    assert len(list((mapped.folder / "results/studies/chains").glob("with_*.nc"))) == 2
+    plane, wear = (opened(mapped, f"with/maps/{name}.nc") for name in ("temperature", "wear"))
+    assert plane["bulk_temperature"].values.tolist() == [60.0, 100.0]
+    for name in plane.data_vars:
+        np.testing.assert_array_equal(plane[name][-1], wear[name][-1])  # 100 degC is the state of case `with`
+    assert (plane["lyapunov_exponent"][0].values != plane["lyapunov_exponent"][-1].values).any()

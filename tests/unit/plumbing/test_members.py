@@ -108,3 +108,74 @@ def test_merging_replaces_all_but_groups_and_leaves_both_as_they_were():
     assert merged(base, overrides) == {"a": {"b": 1, "c": [3]}, "d": None, "f": {"g": 1}}
     assert base == {"a": {"b": 1, "c": [1, 2]}, "d": {"e": 1}}
     assert overrides == {"a": {"c": [3]}, "d": None, "f": {"g": 1}}
+
+
+HEAT = "cases.with.bulk_temperature"
+
+
+@pytest.fixture
+def gridded(study):
+    """Return a function that gives the checked default study with one grid."""
+
+    def of(**entries):
+        return check(study() | {"studies": {"life": entries}})
+
+    return of
+
+
+def test_every_possible_combination_of_a_grid_is_a_member(gridded):
+    config = gridded(grid={HEAT: [10, 60], "wear.law": ["constant"]}, settings={"dynamics": {"damping_ratio": 0.09}})
+    found = {root: member for root, member in members(config).items() if root.startswith("studies/life/")}
+    (root,) = found  # 10 degC is below the initial temperature
+    assert root == "studies/life/bulk_temperature_60__law_constant/"
+    assert found[root]["cases"]["with"]["bulk_temperature"] == 60.0
+    assert found[root]["wear"]["law"] == "constant" and found[root]["dynamics"]["damping_ratio"] == 0.09
+
+
+def test_settings_of_a_study_that_cannot_be_are_told_once(gridded):
+    config = gridded(grid={HEAT: [20, 60]}, settings={"dynamics": {"damping_ratio": 2}})
+    with pytest.raises(ConfigError) as refused:
+        members(config)
+    assert str(refused.value).splitlines()[1:] == [
+        "  studies/life: settings: dynamics.damping_ratio: 2.0 is not below 1; give a number from 1.0e-4 to below 1"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("entries", "told"),
+    [
+        ({}, "studies.life.grid: a study has either members or a grid; give one of them"),
+        (
+            {"grid": {HEAT: [20]}, "members": {"one": {}}},
+            "studies.life.grid: a study has either members or a grid; give one of them",
+        ),
+        (
+            {"grid": {"cases.with.bulk_temprature": [20]}},
+            "studies.life.grid.(text 'cases.with.bulk_temprature'): no key with a value of its own; "
+            "did you mean cases.with.bulk_temperature?",
+        ),
+        ({"grid": {"dynamics": [1]}}, "studies.life.grid.dynamics: no key with a value of its own"),
+        (
+            {"grid": {HEAT: [60, 40]}},
+            "studies.life.grid.(text 'cases.with.bulk_temperature'): 40 does not come after 60; "
+            "sort the values, each once",
+        ),
+        (
+            {"grid": {"wear.law": ["constant", "constant"]}},
+            "studies.life.grid.(text 'wear.law'): text 'constant' does not come after text 'constant'; "
+            "sort the values, each once",
+        ),
+        (
+            {"grid": {HEAT: [20]}, "case": "wth"},
+            "studies.life.case: text 'wth' is no case (did you mean with?)",
+        ),
+        (
+            {"grid": {HEAT: list(range(20, 140)), "dynamics.damping_ratio": [i / 1000 for i in range(1, 101)]}},
+            "studies.life.grid: 12000 combinations are more than 10000; give fewer values",
+        ),
+    ],
+)
+def test_a_bad_grid_is_told_with_its_key(gridded, entries, told):
+    with pytest.raises(ConfigError) as refused:
+        gridded(**entries)
+    assert str(refused.value).splitlines()[1].strip().startswith(told)

@@ -18,7 +18,7 @@ class Study(Section):
     """
 
     case: Name = target("Case that the combinations of a grid are about.", default="with")
-    settings: dict[str, Any] = table(
+    settings: dict[str, dict[Any, Any]] = table(
         "Keys in which all members differ from this configuration, nested as here.", "sections", default={}
     )
     grid: dict[str, _Values] = table(

@@ -110,7 +110,7 @@ def allowed(schema: dict[str, Any], unit: str | None = None) -> str:
     if kind == "object":
         return "keys of the configuration with their values"
     if kind == "array":
-        entries = "names" if schema["items"]["type"] == "string" else "numbers"
+        entries = {"string": "names", None: "values"}.get(schema["items"].get("type"), "numbers")
         fewest, most = schema.get("minItems", 0), schema.get("maxItems")
         bounds = f" with {fewest} to {most} entries" if most else " with at least one entry" if fewest else ""
         return f"a list of {entries}{bounds}"
