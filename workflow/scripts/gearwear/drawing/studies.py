@@ -8,12 +8,13 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from gearwear.drawing import motion_classes, states
+from gearwear.drawing import motion_classes
 from gearwear.drawing.maps import edges_of
 from gearwear.drawing.sheet import letter
 from gearwear.studies import wording
@@ -21,8 +22,10 @@ from gearwear.studies.speeds import contact_limit, peak, period_one_limit
 from gearwear.studies.table import AGE
 
 _COLUMNS = 4
-_ROW, _AROUND = 46.0, 20.0  # mm
+_ROW, _AROUND = 46.0, 24.0  # mm
 _KRPM = 1e-3
+_KEYS_IN_A_ROW = 6
+_SHADES = "viridis"  # ordered values; its light end is too faint for lines
 _LABELS = {AGE: "Revolutions, 10⁹"}
 
 
@@ -54,13 +57,15 @@ def draw(figure: Figure, study: xr.Dataset, cfg: dict[str, Any]) -> None:
     for axes in panels[len(facets) + 1 :]:
         axes.set_axis_off()
     for axes in panels[max(len(facets) + 1 - _COLUMNS, 0) : len(facets) + 1]:
-        axes.set_xlabel("Speed of the pinion, 10³ rpm")
+        axes.set_xlabel("Pinion speed, 10³ rpm")
     lines = [
         Line2D([], [], color="black", linewidth=1.2, label="contact is lost beyond"),
         Line2D([], [], color="black", linewidth=0.8, dashes=(2, 1.5), label="running speed"),
     ]
     keys = motion_classes.keys(shown, hatched=False) + lines
-    figure.legend(handles=keys, loc="outside upper center", ncols=len(keys))
+    figure.legend(
+        handles=keys, loc="outside upper center", ncols=math.ceil(len(keys) / math.ceil(len(keys) / _KEYS_IN_A_ROW))
+    )
 
 
 def _facets(study: xr.Dataset, axes: list[str]) -> tuple[str, list[tuple[dict[str, Any], xr.Dataset]]]:
@@ -124,16 +129,15 @@ def _ordinate(axes: Axes, upright: str, ticks: list[str] | None, cfg: dict[str, 
 
 def _limits(axes: Axes, facets, upright: str, positions: np.ndarray, cfg: dict[str, Any]) -> None:
     """Draw up to which speed the motion has period 1, and up to which contact is kept (dashed), over the age."""
+    shades = colormaps[_SHADES](np.linspace(0.0, 0.85, len(facets)))
     for place, (where, one) in enumerate(facets):
         parts = [one.isel({upright: row}) for row in range(len(positions))]
         label = _title(where, cfg)
-        axes.plot(
-            [_KRPM * period_one_limit(part).speed for part in parts], positions, color=states.colour(place), label=label
-        )
+        axes.plot([_KRPM * period_one_limit(part).speed for part in parts], positions, color=shades[place], label=label)
         axes.plot(
             [_KRPM * contact_limit(part).speed for part in parts],
             positions,
-            color=states.colour(place),
+            color=shades[place],
             dashes=(3, 1.5),
         )
     axes.set_xlim(left=0)
