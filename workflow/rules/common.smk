@@ -56,6 +56,11 @@ def member(root):
     return MEMBERS[root]
 
 
+def refused(root, overrides):
+    """Why a member is none of the members, empty if it is one."""
+    return "" if root in MEMBERS else hindrance(config, overrides)
+
+
 def cfg(stage):
     """The settings a stage sees: one plain dict, a function of the wildcards."""
 

@@ -5,7 +5,11 @@ def varied():
     """Every variation of the sensitivity, and why it is no member where it is none."""
     return [
         {name: value for name, value in one._asdict().items() if name != "overrides"}
-        | {"hindrance": hindrance(config, one.overrides)}
+        | {
+            "hindrance": refused(
+                f"studies/{variations.STUDY}/{one.name}/", one.overrides
+            )
+        }
         for one in variations.variations(config)
     ]
 

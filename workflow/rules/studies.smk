@@ -10,7 +10,12 @@ def combined(study):
         found = [(name, "") for name in declared["members"]]
     else:
         found = [
-            (one.name, hindrance(config, overrides_of(declared, one.values)))
+            (
+                one.name,
+                refused(
+                    f"studies/{study}/{one.name}/", overrides_of(declared, one.values)
+                ),
+            )
             for one in combinations(declared["grid"])
         ]
     return [

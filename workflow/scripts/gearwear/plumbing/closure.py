@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 import hashlib
+from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
 
@@ -51,16 +52,25 @@ def _text(path: Path) -> str:
 @lru_cache(None)
 def _stripped(path: Path) -> ast.Module:
     tree = ast.parse(path.read_bytes())
-    for node in ast.walk(tree):
+    for node in (tree, *_statements(tree)):
         if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef) and ast.get_docstring(node) is not None:
             node.body = node.body[1:] or [ast.Pass()]
     return tree
 
 
+def _statements(node: ast.AST) -> Iterator[ast.AST]:
+    """Yield the statements below a node, without their expressions: neither imports nor docstrings lie in these."""
+    for field in ("body", "orelse", "finalbody", "handlers", "cases"):
+        below = getattr(node, field, ())
+        for one in below if isinstance(below, list) else ():
+            yield one
+            yield from _statements(one)
+
+
 @lru_cache(None)
 def _neighbours(path: Path, root: Path) -> tuple[Path, ...]:
     names: set[str] = set()
-    for node in ast.walk(_stripped(path)):
+    for node in _statements(_stripped(path)):
         if isinstance(node, ast.Import):
             names.update(alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
