@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.plumbing import stage, store
+from gearwear.plumbing import stage, tables
 from gearwear.validation import outcomes
 from gearwear.validation.checks import read
 from gearwear.validation.groups import QUANTITIES
@@ -15,8 +15,7 @@ def main(job):
     group = job.params.cfg["group"]
     checks = [check for check in read(job.input.checks) if check.group == group]
     found = [outcomes.compute(check, QUANTITIES[group]) for check in checks]
-    with store.atomic(job.output[0]) as temporary:
-        outcomes.write(outcomes.rows(found), temporary)
+    tables.write_rows(outcomes.rows(found), job.output[0])
     stage.log.info("%s", outcomes.summary(found))
 
 

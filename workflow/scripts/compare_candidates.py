@@ -7,6 +7,7 @@ import yaml
 from gearwear.calibration import table
 from gearwear.calibration.verdict import compared
 from gearwear.plumbing import stage, store
+from gearwear.plumbing.tables import write_rows
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -22,8 +23,7 @@ def main(job):
         job.output.claims: table.claims(found, claims),
     }
     for path, rows in tables.items():
-        with store.atomic(path) as temporary:
-            table.write(rows, temporary)
+        write_rows(rows, path)
     for name, row in zip(found["member"].values, found["member_agrees"].values, strict=True):
         stage.announce(f"{name}: agrees with {row.sum()} of {row.size} claims about states and motion")
 

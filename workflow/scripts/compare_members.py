@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.plumbing import stage, store
+from gearwear.plumbing import stage, store, tables
 from gearwear.sensitivity import table
 
 if TYPE_CHECKING:
@@ -14,8 +14,7 @@ def main(job):
     compared = table.compared(store.load(job.input.study), [store.load(path) for path in job.input.members], varied)
     store.save(compared, job)
     rows = table.rows(compared)
-    with store.atomic(job.output.table) as temporary:
-        table.write(rows, temporary)
+    tables.write_rows(rows, job.output.table)
     for row in rows:
         if row["hindrance"] != table.NOTHING:
             stage.announce(f"{row['key']} {row['value']}: not possible: {row['hindrance']}")

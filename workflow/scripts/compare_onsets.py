@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from gearwear.onsets import ensemble, table
 from gearwear.onsets.shifts import CASES, shifts
-from gearwear.plumbing import stage, store
+from gearwear.plumbing import stage, store, tables
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -22,8 +22,7 @@ def main(job):
     compared = shifts(onsets, variants, members, cfg["sweeps"]["order"], factors)
     store.save(compared, job)
     rows = table.rows(compared)
-    with store.atomic(job.output.table) as temporary:
-        table.write(rows, temporary)
+    tables.write_rows(rows, job.output.table)
     for row in rows:
         stage.announce(
             f"{row['event']}: with less without {row['shift']} +- {row['numerical_error']}; ensemble "

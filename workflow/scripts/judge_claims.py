@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 import yaml
 
 from gearwear.claims import scorecard
-from gearwear.plumbing import stage, store
+from gearwear.plumbing import stage, store, tables
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -37,8 +37,7 @@ def main(job):
     results = Results({key_of(path): str(path) for path in job.input.results})
     diagonal = [(state["case"], state["cycle"]) for state in job.params.cfg["states"]]
     rows = scorecard.evaluate(claims, results, diagonal)
-    with store.atomic(job.output[0]) as temporary:
-        scorecard.write(rows, temporary)
+    tables.write_rows(rows, job.output[0])
     lost = [key[1] for key in results if key[0] == "response" and not int(results[key]["motion_class"])]
     if lost:
         stage.announce(f"warning: at the running speed the motion of {', '.join(lost)} did not settle")

@@ -4,7 +4,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gearwear.drawing import validation_page
-from gearwear.plumbing import stage, store
+from gearwear.plumbing import stage, store, tables
 from gearwear.validation import outcomes
 from gearwear.validation.checks import read, titles
 
@@ -18,8 +18,8 @@ def main(job):
     figures = {Path(path).stem: Path(path).read_bytes() for path in job.input.figures}
     template = Path(job.input.template).read_text(encoding="utf-8")
     page = validation_page.page(template, found, titles(job.input.checks), figures)
-    with store.atomic(job.output.table) as table, store.atomic(job.output.page) as html:
-        outcomes.write(rows, table)
+    tables.write_rows(rows, job.output.table)
+    with store.atomic(job.output.page) as html:
         Path(html).write_text(page, encoding="utf-8")
     stage.announce(f"Validation: {outcomes.summary(found)}.")
 

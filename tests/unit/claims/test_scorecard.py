@@ -3,7 +3,8 @@ from pathlib import Path
 import pytest
 import yaml
 
-from gearwear.claims.scorecard import evaluate, expectation, summary, write
+from gearwear.claims.scorecard import evaluate, expectation, summary
+from gearwear.plumbing.tables import write_rows
 
 DIAGONAL = [("without", 0), ("middle", 1), ("with", 2)]
 ROOT = Path(__file__).parents[3]
@@ -108,8 +109,8 @@ def test_expectation_in_words():
 
 def test_written_table_is_the_same_twice_and_readable(results, tmp_path):
     rows = evaluate({"claims": [numeric(1.047), window(["P1"])]}, results, DIAGONAL)
-    write(rows, tmp_path / "first.csv")
-    write(evaluate({"claims": [numeric(1.047), window(["P1"])]}, results, DIAGONAL), tmp_path / "second.csv")
+    write_rows(rows, tmp_path / "first.csv")
+    write_rows(evaluate({"claims": [numeric(1.047), window(["P1"])]}, results, DIAGONAL), tmp_path / "second.csv")
     first = (tmp_path / "first.csv").read_bytes()
     assert first == (tmp_path / "second.csv").read_bytes()
     lines = first.decode().split("\n")

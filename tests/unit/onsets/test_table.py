@@ -1,7 +1,5 @@
 """The table of the shifts: a row for every event, numbers or what lacks."""
 
-import csv
-
 import numpy as np
 import pytest
 import xarray as xr
@@ -60,11 +58,3 @@ def test_what_lacks_is_named_with_member_case_and_reason(rows):
     assert (third["without"], third["shift"], third["numerical_error"], third["median"]) == ("none",) * 4
     assert third["lacking"].split("; ")[0] == "damping_ratio_low without: remark 0"
     assert len(third["lacking"].split("; ")) == 4
-
-
-def test_rows_are_written_as_csv(rows, tmp_path):
-    path = tmp_path / "onsets.csv"
-    table.write(rows, str(path))
-    with open(path, newline="") as file:
-        assert list(csv.DictReader(file)) == rows
-    assert b"\r" not in path.read_bytes()

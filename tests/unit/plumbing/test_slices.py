@@ -22,6 +22,7 @@ CHAIN = (
     "sweep",
     "onsets",
 )
+IN_ONE_PROCESS = {"measures", "calibration", "chain", "member_onsets", "outcome", "study"}
 MAPS = {"map_ste", "map_backlash", "map_temperature", "map_wear"}
 
 
@@ -137,12 +138,34 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
 def test_a_key_reaches_its_stages_and_no_other(config, keys, stages):
     other = changed(config, keys.split("."))
     reached = {stage for stage in STAGES if cut(other, stage) != cut(config, stage)}
-    assert reached - {"measures", "calibration"} == stages
+    assert reached - IN_ONE_PROCESS == stages
 
 
+@pytest.mark.parametrize(
+    ("keys", "reached"),
+    [
+        ("gear_pair.module", {"measures", "calibration", "chain", "member_onsets"}),
+        ("dynamics.damping_ratio", {"measures", "calibration", "chain", "member_onsets", "outcome"}),
+        ("operation.pinion_speed", {"measures", "calibration", "chain", "member_onsets", "outcome"}),
+        ("cases.with.bulk_temperature", {"measures", "calibration", "chain", "member_onsets"}),
+        ("cases.with.running_cycles", {"measures", "calibration", "member_onsets"}),
+        ("cases.without.bulk_temperature", {"measures", "calibration", "chain", "member_onsets"}),  # the reference
+        ("cases.wear_only.bulk_temperature", set()),
+        ("sweeps.mesh_frequency.points", {"measures", "calibration", "member_onsets", "outcome", "study"}),
+        ("sweeps.mesh_frequency.cases", set()),
+        ("sweeps.order", {"measures", "member_onsets", "outcome", "study"}),
+        ("branches.largest_period", {"member_onsets"}),
+    ],
+)
+def test_a_key_reaches_the_stages_that_run_a_whole_chain(config, keys, reached):
+    other = changed(config, keys.split("."))
+    assert {stage for stage in IN_ONE_PROCESS if cut(other, stage) != cut(config, stage)} == reached
+
+
+@pytest.mark.parametrize("whole_chain", ["measures", "member_onsets"])
 @pytest.mark.parametrize("stage", ("geometry", *CHAIN))
-def test_the_measures_see_every_setting_of_the_chain(config, stage):
-    measured = cut(config, "measures")
+def test_stages_in_one_process_see_every_setting_of_the_chain(config, stage, whole_chain):
+    measured = cut(config, whole_chain)
     for case in ("without", "with"):
         whole = measured | {"case": measured["cases"][case]}
         for keys in leaves(cut(config, stage, case, "mesh_frequency")):

@@ -75,6 +75,7 @@ def test_every_field_has_a_unit_unless_it_is_a_label_or_an_index():
     integers_and_words |= {f"member_{what}_{case}" for what in ("how", "remark") for case in ("without", "with")}
     integers_and_words |= {"case", "hindrance", "group", "key", "value", "usual_value", "companions"}
     integers_and_words |= {"first_doubling_remark", "chaos_onset_remark"}
+    integers_and_words |= {"order", "member_name", "running_class"}
     integers_and_words |= {"claim", "sweep", "claim_subject", "candidate_remark"}
     assert without == integers_and_words
     assert all(field.long_name and field.dims for field in FIELDS.values())
@@ -281,7 +282,11 @@ def test_lineage_of_the_inputs_is_written_beside_the_own(tmp_path):
         ("results/with/branches/backlash.nc", ("continue_orbits",)),
         ("results/with/sweeps/parts/backlash/1-of-4.nc", ("sweep_part",)),
         ("results/with/basins/backlash.nc", ("map_basins",)),
-        ("results/with/maps/tiles/ste/1-of-4.nc", ("map_tile",)),
+        ("results/with/maps/tiles/ste/1-of-4.nc", ("map_tile", "map_temperature")),
+        ("results/studies/chains/with_0123456789ab.nc", ("run_chain",)),
+        ("results/studies/heat/t120/outcome.nc", ("measure_outcome",)),
+        ("results/studies/heat/study.nc", ("gather_study",)),
+        ("results/studies/onsets/box_001/member_onsets.nc", ("measure_onsets",)),
         ("results/with/maps/wear.nc", ("join_map",)),
         ("results/studies/heat/t120/geometry.nc", ("build_geometry",)),
         ("results/studies/heat/t120/with/wear/q003.nc", ("start_wear", "advance_wear")),

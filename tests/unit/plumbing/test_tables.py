@@ -20,3 +20,12 @@ def test_a_table_is_written_as_csv_and_as_a_page_of_its_own(tmp_path):
     assert "length of &lt; and &amp;" in page
     assert "http" not in page
     assert sorted(path.name for path in tmp_path.iterdir()) == ["table.csv", "table.html"]
+
+
+def test_rows_are_written_as_csv_that_any_reader_understands(tmp_path):
+    rows = [{"key": "a, b", "value": "1"}, {"key": 'said "c"', "value": "two\nlines"}]
+    tables.write_rows(rows, str(tmp_path / "table.csv"))
+    with open(tmp_path / "table.csv", newline="") as file:
+        assert list(csv.DictReader(file)) == rows
+    assert b"\r" not in (tmp_path / "table.csv").read_bytes()
+    assert [path.name for path in tmp_path.iterdir()] == ["table.csv"]

@@ -1,7 +1,5 @@
 """The table: changes against the study, shifts between the cases, members that cannot be."""
 
-import csv
-
 import numpy as np
 import pytest
 import xarray as xr
@@ -83,9 +81,3 @@ def test_every_member_keeps_its_own_measures(rows):
 def test_a_change_of_nothing_has_no_ratio():
     wear = Quantity("deepest_wear", "with", "pinion")
     assert np.isnan(wear.change(np.array([0.0, 1e-6]), 0.0)).all()
-
-
-def test_the_file_holds_the_rows(rows, tmp_path):
-    table.write(list(rows.values()), str(tmp_path / "table.csv"))
-    with open(tmp_path / "table.csv", newline="") as file:
-        assert list(csv.DictReader(file)) == list(rows.values())

@@ -1,8 +1,6 @@
 """The scorecard: one verdict on each statement of the reference paper."""
 
-import csv
 from collections.abc import Iterable, Mapping
-from pathlib import Path
 
 from gearwear.claims import rules
 from gearwear.claims.events import judge_event
@@ -77,14 +75,6 @@ def expectation(claim: dict) -> str:
 def cases_of(claim: dict) -> list[str]:
     """Return the cases of a window claim, given as one name or a list."""
     return [claim["case"]] if isinstance(claim["case"], str) else claim["case"]
-
-
-def write(rows: list[dict[str, str]], path: str | Path) -> None:
-    """Write the rows as CSV with the columns id, figure, says, expected, found, verdict."""
-    with open(path, "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
 
 
 def summary(rows: list[dict[str, str]]) -> str:

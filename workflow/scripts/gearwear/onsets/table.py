@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-
 import numpy as np
 import xarray as xr
 
@@ -39,14 +37,6 @@ def rows(table: xr.Dataset) -> list[dict[str, str]]:
         row["lacking"] = "; ".join(_lacking(table, i)) or NO_NUMBER
         found.append(row)
     return found
-
-
-def write(found: list[dict[str, str]], path: str) -> None:
-    """Write the rows as CSV."""
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(found[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(found)
 
 
 def _lacking(table: xr.Dataset, event: int):

@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-
-import jinja2
 
 from gearwear.plumbing import store
 
 
-def write_rows(rows: Sequence[dict[str, str]], path: str) -> None:
+def write_rows(rows: Sequence[Mapping[str, str]], path: str) -> None:
     """Write rows with the same keys, at least one, as CSV, complete or not at all."""
     with store.atomic(path) as temporary, open(temporary, "w", encoding="utf-8", newline="") as file:
         writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
@@ -28,6 +26,8 @@ def write(job, title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]
     title : of the page.
     columns, rows : of the table.
     """
+    import jinja2  # most tables need no page
+
     rows = list(rows)
     environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
     template = environment.from_string(Path(job.input.template).read_text(encoding="utf-8"))

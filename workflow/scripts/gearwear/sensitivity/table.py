@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Sequence
 
 import numpy as np
@@ -53,14 +52,6 @@ def rows(table: xr.Dataset) -> list[dict[str, str]]:
             row |= {f"{event}_{case}_remark": str(table[f"{event}_remark"].sel(case=case).values[i]) for case in CASES}
         found.append(row)
     return found
-
-
-def write(found: list[dict[str, str]], path: str) -> None:
-    """Write the rows as CSV."""
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(found[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(found)
 
 
 def _nothing(study: xr.Dataset, hindrance: str) -> xr.Dataset:

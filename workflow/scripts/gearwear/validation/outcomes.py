@@ -91,16 +91,8 @@ def rows(outcomes: Iterable[Outcome]) -> list[dict[str, str]]:
     return table
 
 
-def write(table: list[dict[str, str]], path: str | Path) -> None:
-    """Write rows as CSV."""
-    with open(path, "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(table)
-
-
 def read_rows(path: str | Path) -> list[dict[str, str]]:
-    """Return the rows that `write` wrote."""
+    """Return the rows of a file that plumbing.tables wrote."""
     with open(path, encoding="utf-8", newline="") as file:
         return list(csv.DictReader(file))
 
