@@ -16,6 +16,8 @@ from matplotlib.text import Text
 
 from gearwear.drawing import sheet
 from gearwear.plumbing import store
+from gearwear.studies.gathering import gathered
+from gearwear.studies.outcome import impossible
 
 ROOT = Path(__file__).resolve().parents[2]
 STYLE = str(ROOT / "workflow" / "report" / "gearwear.mplstyle")
@@ -45,6 +47,9 @@ CLASSES = {
 }
 
 
+HEAT, AGE = "cases.with.bulk_temperature", "cases.with.running_cycles"
+
+
 class Files(dict):
     """Named files, as a job has them."""
 
@@ -57,7 +62,7 @@ def results(tmp_path_factory):
     folder = tmp_path_factory.mktemp("results")
 
     def save(name, variables, coordinates):
-        rule = "build_geometry" if name == "geometry" else "made_up"
+        rule = {"geometry": "build_geometry", "study": "gather_study"}.get(name, "made_up")
         job = SimpleNamespace(rule=rule, input=Files(), output=[str(folder / f"{name}.nc")])
         job.params = SimpleNamespace(cfg={}, code=name)
         store.save(xr.Dataset(variables, coordinates), job)
@@ -124,7 +129,24 @@ def results(tmp_path_factory):
             }
             save(f"{case}_{sweep}_basins", *basins(sweep, swept[[1, 3, 5, 7]]))
             save(f"{case}_{sweep}_portraits", motion([1, 0, 101]) | orbit, {sweep: ("point", swept[[1, 3, 7]])})
+    study = life()
+    save("study", study.data_vars, study.coords)
     return folder
+
+
+def life():
+    """Return a study of seven temperatures and eight ages, whose motions leave period 1 ever earlier."""
+    members = []
+    for place in range(56):
+        one = impossible({"first": 0.1, "last": 1.7, "points": 9}, "").copy()
+        later = np.arange(9) > 6 - place % 8 / 4
+        one["motion_class"][:] = np.where(later, 101, [1, 1, 1, 2, 2, 4, 8, 6, 0])
+        one["contact_loss_share"][:] = np.where(np.arange(9) > 2, 0.1, 0.0)
+        one["force_max"][:] = 1.0 + 0.8 * np.arange(9)
+        one["pinion_speed"][:] = (11000.0 - 200 * (place // 8)) * one["mesh_frequency"].values
+        members.append(one.assign(running_speed=3400.0))
+    axes = {HEAT: [20, 40, 60, 80, 100, 120, 140], AGE: [3e8 * i for i in range(8)]}
+    return gathered(axes, [f"member_{i:04d}" for i in range(56)], members)
 
 
 def branches():
@@ -203,6 +225,9 @@ def inputs_of(results, number):
     if number in of_states:
         script, names = of_states[number]
         return script, geometry | {name: each(name) for name in names}, {"states": STATES}
+    if number == "study":
+        drawn = {"axes": [HEAT, AGE], "units": {HEAT: "degC", AGE: "1"}, "order": "restart"}
+        return "plot_study", {"study": str(results / "study.nc")}, drawn
     if number == "wear history":
         names = ("wear", "mesh_stiffness", "transmission_error")
         return "plot_wear_history", geometry | {name: each(name) for name in names}, {"states": [WORN]}
@@ -293,6 +318,7 @@ WORDS = {
     ],
     "load sharing": ["(a)Staticmeshforce", "(b)Dynamicmeshforce", "Loadofthepair|overmeanmeshforce"],
     "mesh force": ["Dynamicmeshforce(kN)", "Amplitude(N)", "Orderofthemeshfrequency", "(c)100°C,2.1×10⁹cycles:P2"],
+    "study": ["(a)20°C", "(g)140°C", "(h)limits", "Pinionspeed,10³rpm", "contactislostbeyond", "Revolutions,10⁹"],
     "exponents": ["(a)Case“without”", "(d)Case“with”", "LargestLyapunovexponent(perunitofdimensionlesstime)"],
 }
 
