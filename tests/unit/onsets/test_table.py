@@ -39,6 +39,7 @@ def test_a_row_holds_shift_errors_ensemble_and_faces(rows):
         "error_settling": "0.0e+00",
         "error_step": "0.0e+00",
         "error_integrator": "0.0e+00",
+        "ways_without_the_event": "none",
         "members": "2",
         "members_with_event": "2",
         "median": "-0.035000",
@@ -58,3 +59,4 @@ def test_what_lacks_is_named_with_member_case_and_reason(rows):
     assert (third["without"], third["shift"], third["numerical_error"], third["median"]) == ("none",) * 4
     assert third["lacking"].split("; ")[0] == "damping_ratio_low without: remark 0"
     assert len(third["lacking"].split("; ")) == 4
+    assert third["ways_without_the_event"] == "; ".join(VARIANTS)

@@ -13,7 +13,7 @@ NO_NUMBER = "none"
 
 
 def rows(table: xr.Dataset) -> list[dict[str, str]]:
-    """Return the rows: shift with its numerical error and its parts, the ensemble, the faces of the box, what lacks.
+    """Return the rows: shift with its numerical error and its parts, the ensemble, the faces of the box, what lacks, and the ways that miss the event and so count in no error.
 
     All shifts are mesh frequencies over the natural frequency of each case, that of case `with` less that of case
     `without`: negative where `with` comes earlier.
@@ -26,6 +26,7 @@ def rows(table: xr.Dataset) -> list[dict[str, str]]:
         row |= {case: _number(table[f"onset_{case}"].values[i]) for case in CASES}
         row |= {"shift": _number(table["onset_shift"].values[i]), "numerical_error": _small(error.pop(TOTAL))}
         row |= {f"error_{name}": _small(value) for name, value in error.items()}
+        row["ways_without_the_event"] = "; ".join(_ways_without(table, i)) or NO_NUMBER
         row |= {"members": str(int(inside.sum())), "members_with_event": str(int(statistics["exists"][i]))}
         row |= {
             name: _number(statistics[key][i])
@@ -37,6 +38,12 @@ def rows(table: xr.Dataset) -> list[dict[str, str]]:
         row["lacking"] = "; ".join(_lacking(table, i)) or NO_NUMBER
         found.append(row)
     return found
+
+
+def _ways_without(table: xr.Dataset, event: int) -> list[str]:
+    """Return the ways of computing that do not show the event in both cases: they count in no error."""
+    missing = np.isnan(table["variant_shift"].values[:, event])
+    return [str(name) for name, lacks in zip(table["variant"].values, missing, strict=True) if lacks]
 
 
 def _lacking(table: xr.Dataset, event: int):
