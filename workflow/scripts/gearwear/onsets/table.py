@@ -15,8 +15,8 @@ NO_NUMBER = "none"
 def rows(table: xr.Dataset) -> list[dict[str, str]]:
     """Return the rows: shift with its numerical error and its parts, the ensemble, the faces of the box, what lacks.
 
-    The ways that miss an event count in no error, so they are named. All shifts are mesh frequencies over the natural frequency of each case, that of case `with` less that of case
-    `without`: negative where `with` comes earlier.
+    The ways that miss an event count in no error, so they are named. All shifts are mesh frequencies over the natural
+    frequency of each case, that of case `with` less that of case `without`: negative where `with` comes earlier.
     """
     statistics, inside = spread(table), drawn(table)
     found = []
