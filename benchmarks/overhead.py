@@ -1,8 +1,8 @@
 """What the workflow costs beside its work, in one run: `python benchmarks/overhead.py`.
 
-Start-up of the lightest stage job over a bare Python; an up-to-date `snakemake all` over a Snakefile with as many trivial
-jobs; the share of a run that is neither in a job's process nor waiting for one. Everything happens on the smoke settings
-in a temporary folder. Wall seconds, medians of interleaved repeats; only the ratios and differences within one run count.
+Start-up of the lightest stage jobs over a bare Python; an up-to-date `snakemake all` over a Snakefile with as many
+trivial jobs; the share of a run outside the processes of the jobs. All of it on the smoke settings in a temporary
+folder, in wall seconds, medians of interleaved repeats: only ratios and differences within one run count.
 """
 
 import argparse
