@@ -89,9 +89,9 @@ def _draw_panel(axes: Axes, basin: xr.Dataset, title: str) -> None:
     axes.set_xlim(left, right)
     axes.set_ylim(bottom, top)
     axes.set_title(title, loc="left")
-    place = (0.5, -_TICKS / _PANEL)
-    tight = {"handlelength": 1.0, "handletextpad": 0.2, "columnspacing": 0.6}
-    axes.legend(handles=keys, loc="upper center", bbox_to_anchor=place, ncols=2, **tight)
+    below = (0.5, -_TICKS / _PANEL)
+    tight: dict[str, Any] = {"handlelength": 1.0, "handletextpad": 0.2, "columnspacing": 0.6}
+    axes.legend(handles=keys, loc="upper center", bbox_to_anchor=below, ncols=2, **tight)
 
 
 def _draw_section(axes: Axes, attractor: xr.Dataset, colour: tuple[float, float, float], marker: str) -> Artist:
@@ -100,11 +100,11 @@ def _draw_section(axes: Axes, attractor: xr.Dataset, colour: tuple[float, float,
     section = [attractor[name].values[: period or None] for name in ("section_displacement", "section_velocity")]
     marker, size = (marker, _SIZES[1]) if period else ("o", _SIZES[0])
     layer = 3 if period else 2.5  # the few points of an orbit above the many of chaos
-    halo = {"marker": marker, "markersize": size + _HALO, "color": "white", "markeredgewidth": 0}
+    halo: dict[str, Any] = {"marker": marker, "markersize": size + _HALO, "color": "white", "markeredgewidth": 0}
     axes.plot(*section, linestyle="none", zorder=layer - 0.25, **halo)
     if not period:
         dark = tuple(_DARKER * np.array(colour))
-        ink = {"marker": marker, "markersize": size, "markeredgewidth": 0, "color": dark}
+        ink: dict[str, Any] = {"marker": marker, "markersize": size, "markeredgewidth": 0, "color": dark}
         axes.plot(*section, linestyle="none", zorder=layer, **ink)
         return Patch(facecolor=colour, linewidth=0)
     ink = {"markerfacecolor": colour, "markeredgecolor": "black", "markeredgewidth": 0.6, "markersize": size}

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -23,7 +24,7 @@ _DIAGRAM = _TITLE + _STRIP + _GAP + _SECTION + _GAP + _EXPONENT
 _LABEL = -9.5  # mm, right edge of the ordinate's label from the axis
 _INK, _CHAOS = "#1A1A1A", "#D55E00"
 _DOTS = (0.5, 1.0)
-_DOUBT = {"linestyle": "none", "marker": "v", "markersize": 3, "markeredgewidth": 0, "color": "#B8478F"}
+_DOUBT: dict[str, Any] = {"linestyle": "none", "marker": "v", "markersize": 3, "markeredgewidth": 0, "color": "#B8478F"}
 
 Windows = Sequence[tuple[float, float, str]]
 
@@ -90,15 +91,18 @@ def draw(
         for axes in (section, exponent):
             axes.yaxis.set_label_coords(_LABEL / (DOUBLE - _LEFT - _RIGHT), 0.5)
     exponent.set_xlabel(swept.LABELS[cfg["sweep"]])
-    keys = motion_classes.keys(names)
+    keys: list[Artist] = [*motion_classes.keys(names)]
     if doubtful:
         keys.append(Line2D([], [], label="evidence disagrees", **_DOUBT))
     figure.legend(handles=keys, loc="upper center", ncols=len(keys), handlelength=1.2, columnspacing=1.2)
     lines = branches.keys(special, any(followed.sizes["node"] for followed in orbits))
-    for row, keys in enumerate((orders.keys(cfg["order"], apart), lines), start=1):
-        if keys:
+    below: list[Sequence[Artist]] = [orders.keys(cfg["order"], apart), lines]
+    for row, entries in enumerate(below, start=1):
+        if entries:
             place = (0.5, 1 - row * _ROW / total)
-            figure.legend(handles=keys, loc="upper center", bbox_to_anchor=place, ncols=len(keys), columnspacing=1.4)
+            figure.legend(
+                handles=entries, loc="upper center", bbox_to_anchor=place, ncols=len(entries), columnspacing=1.4
+            )
 
 
 def _place(figure: Figure, bottom: float, high: float, total: float) -> Axes:
@@ -107,7 +111,7 @@ def _place(figure: Figure, bottom: float, high: float, total: float) -> Axes:
 
 def _classes(values: np.ndarray, by_order: orders.Sweeps, first: str) -> dict[str, Windows]:
     """Return the zones of the motion classes by the name of the order, from the lowest row to the order shown first."""
-    rows = {}
+    rows: dict[str, Windows] = {}
     for order in [*(order for order in reversed(orders.NAMES) if order != first), first]:
         found = [motion_classes.name_of(code) for code in by_order[order]["motion_class"].values]
         rows[orders.NAMES[order]] = motion_classes.runs(values, found)

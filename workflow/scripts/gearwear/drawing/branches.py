@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -13,15 +14,21 @@ from matplotlib.lines import Line2D
 from gearwear.orbits.codes import FOLD, NONE, PERIOD_DOUBLING, SPECIAL_POINTS, STABILITY, TORUS
 
 _STABLE, _UNSTABLE = "#0072B2", "#B8478F"
-_LINES = {
+_LINES: dict[str, dict[str, Any]] = {
     "stable": {"color": _STABLE, "linewidth": 0.8, "zorder": 2.5},
     "unstable": {"color": _UNSTABLE, "linewidth": 0.6, "linestyle": "--", "dashes": (3.5, 1.5), "zorder": 2.4},
 }
 _MARKS = {FOLD: ("^", "fold"), PERIOD_DOUBLING: ("D", "period doubling"), TORUS: ("s", "torus")}
-_MARK = {"linestyle": "none", "markersize": 2.6, "markeredgewidth": 0.5, "markerfacecolor": "white", "zorder": 3}
+_MARK: dict[str, Any] = {
+    "linestyle": "none",
+    "markersize": 2.6,
+    "markeredgewidth": 0.5,
+    "markerfacecolor": "white",
+    "zorder": 3,
+}
 _ROOM = 0.25  # of the height of the diagram, above and below it, beyond which no branch is shown
 _EDGE = 0.03  # of the height, left free beyond the outermost orbit
-_LABEL = {"rotation": 90, "fontsize": 6, "ha": "center", "textcoords": "offset points", "zorder": 3.5}
+_LABEL: dict[str, Any] = {"rotation": 90, "fontsize": 6, "ha": "center", "textcoords": "offset points", "zorder": 3.5}
 _ABOVE = 2.8  # points from a mark to its label
 _WIDE, _LONG = 0.02, 0.15  # of a label, over the width and the height of the diagram
 _RIM = [patheffects.withStroke(linewidth=1.0, foreground="white")]
@@ -53,7 +60,7 @@ def _label(axes: Axes, values: np.ndarray, special: np.ndarray, section: np.ndar
     """Write the swept value beside one mark of every special point, the highest that other labels leave free."""
     bounds, height = np.sort(axes.get_xlim()), np.ptp(axes.get_ylim())
     low, high = axes.get_ylim()
-    taken = []
+    taken: list[tuple[float, float]] = []
     for node in sorted(np.flatnonzero(special != NONE), key=lambda node: values[node]):
         seen = section[node][(section[node] >= low) & (section[node] <= high)]
         if not seen.size or not bounds[0] <= values[node] <= bounds[1]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -51,7 +53,7 @@ def _members(found: xr.Dataset) -> np.ndarray:
 def _trade(axes: Axes, found: xr.Dataset, full: np.ndarray, across: int, up: int) -> None:
     counted = found["candidate_agreements"].values[found["candidate_remark"].values == ""]
     places, number = np.unique(counted[:, [across, up]], axis=0, return_counts=True)
-    axes.scatter(*places.T, s=_LARGEST * number / number.max(), color=_CLOUD, linewidths=0)
+    axes.scatter(places[:, 0], places[:, 1], s=_LARGEST * number / number.max(), color=_CLOUD, linewidths=0)
     is_study = found["member"].values == STUDY
     axes.plot(*full[~is_study][:, [across, up]].T, "*", color=_COLOURS["ste"], markersize=7, markeredgewidth=0)
     axes.plot(*full[is_study][:, [across, up]].T, "x", color=_INK, markersize=6, markeredgewidth=1.4)
@@ -77,7 +79,7 @@ def _bars(axes: Axes, found: xr.Dataset) -> None:
 
 
 def _keys() -> list[Line2D]:
-    dot = {"linestyle": "none", "markeredgewidth": 0}
+    dot: dict[str, Any] = {"linestyle": "none", "markeredgewidth": 0}
     return [
         Line2D([], [], marker="o", color=_CLOUD, label="candidates, by number", **dot),
         Line2D([], [], marker="*", color=_COLOURS["ste"], markersize=7, label="best, in full", **dot),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import xarray as xr
@@ -38,7 +38,7 @@ def draw(
     panels = figure.subplots(rows, len(members), sharex=True, squeeze=False)
     behind = fields[0]["path"].values > float(geometry["lowest_single_contact"])
     for place, (row, column) in enumerate(np.ndindex(panels.shape)):
-        axes, member = panels[row, column], members[column]
+        axes, member = cast(Axes, panels[row, column]), members[column]
         of_member = [field.sel(gear=member) for field in fields]
         for i, (field, state) in enumerate(zip(of_member, drawn, strict=True)):
             path_axis.draw(axes, field, 1e6, **states.line(i, state))

@@ -12,7 +12,7 @@ from gearwear.drawing import legend, states
 from gearwear.drawing.sheet import letter
 
 LABEL = "Revolutions of the pinion (10⁹)"
-_DOT = {"marker": "o", "markersize": 1.8, "markeredgewidth": 0}
+_DOT: dict[str, Any] = {"marker": "o", "markersize": 1.8, "markeredgewidth": 0}
 
 
 class Panel(NamedTuple):

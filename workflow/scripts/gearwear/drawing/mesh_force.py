@@ -18,8 +18,8 @@ HIGHEST = 10  # order of the mesh frequency
 _LONGEST = 8  # mesh periods of a history
 _DECADES = 1e-5  # of the largest amplitude, below which nothing is shown
 _MANY_LINES = 80  # above, a spectrum is a curve
-_NATURAL = {"color": "#555555", "linestyle": ":", "linewidth": 0.8}
-_MEAN = {"color": "#777777", "linewidth": 0.6}
+_NATURAL: dict[str, Any] = {"color": "#555555", "linestyle": ":", "linewidth": 0.8}
+_MEAN: dict[str, Any] = {"color": "#777777", "linewidth": 0.6}
 
 
 class Force(NamedTuple):
@@ -66,8 +66,8 @@ def draw(figure: Figure, geometry: xr.Dataset, forces: Sequence[Force], drawn: S
         axes.set_yscale("log")
         axes.set_ylim(_DECADES * largest, 3 * largest)
         axes.set_xlim(0, HIGHEST + 0.5)
-    shared.set_xticks(range(HIGHEST + 1))
-    shared.set_xlabel("Order of the mesh frequency")
+    axes.set_xticks(range(HIGHEST + 1))
+    axes.set_xlabel("Order of the mesh frequency")
     lines, _ = history.get_legend_handles_labels()
     natural = Line2D([], [], label="natural frequency", **_NATURAL)
     legend.above(figure, [*lines, natural, *path_axis.keys(with_pitch_point=False)], len(drawn))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -72,7 +73,7 @@ def keys(names: Iterable[str], hatched: bool = True) -> list[Patch]:
     hatched : whether what is not decided is hatched, as in strips, or only white, as in maps.
     """
     found = set(names)
-    listed = [name for name in ("P1", "P2", "P4", "P8", "P3", "P6") if name in found]
+    listed: list[str] = [name for name in ("P1", "P2", "P4", "P8", "P3", "P6") if name in found]
     if any(name.startswith("P") and name not in _COLOURS for name in found):
         listed.append(_OTHER)
     listed += [name for name in ("QP", "CH", "not_converged") if name in found]
@@ -86,7 +87,7 @@ def _worded(name: str) -> str:
     return f"{short(name)}, {_WORDS[name]}" if name in _WORDS else name
 
 
-def _fill(name: str) -> dict[str, str]:
+def _fill(name: str) -> dict[str, Any]:
     if name == "not_converged":
         return {"facecolor": _UNDECIDED, "edgecolor": "#777777", "hatch": "//////"}
     return {"facecolor": colour(name)}

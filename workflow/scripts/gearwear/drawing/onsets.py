@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -24,8 +26,8 @@ _NAMES = {
 }
 # Okabe and Ito (2008), safe for colour-blind readers; low and high differ in shape.
 _INK, _DOTS, _LOW, _HIGH = "#000000", "#56B4E9", "#0072B2", "#D55E00"
-_ENDS = {"low": {"marker": "v", "color": _LOW}, "high": {"marker": "^", "color": _HIGH}}
-_MARK = {"linestyle": "none", "markeredgewidth": 0}
+_ENDS: dict[str, dict[str, Any]] = {"low": {"marker": "v", "color": _LOW}, "high": {"marker": "^", "color": _HIGH}}
+_MARK: dict[str, Any] = {"linestyle": "none", "markeredgewidth": 0}
 _HEIGHT_OF_ROW = 0.3  # over which the members are spread, either way
 _GOLDEN = 0.6180339887  # spreads them evenly, in any number
 _ROOM = 0.08  # of the range, left and right

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -15,7 +16,10 @@ from gearwear.drawing import motion_classes, sections
 
 NAMES = {"restart": "from rest", "up": "upwards", "down": "downwards"}
 # Okabe and Ito (2008), safe for colour-blind readers.
-_STYLES = {"up": {"color": "#E69F00", "marker": "^"}, "down": {"color": "#009E73", "marker": "v"}}
+_STYLES: dict[str, dict[str, Any]] = {
+    "up": {"color": "#E69F00", "marker": "^"},
+    "down": {"color": "#009E73", "marker": "v"},
+}
 _SIZES = (1.0, 2.8)
 _SHADE = "#ECECEC"
 _BELOW = 1.5  # the dots of the order shown first lie on top
@@ -45,8 +49,10 @@ def draw(axes: Axes, values: np.ndarray, sweeps: Sweeps) -> None:
 
 def keys(main: str, apart: bool) -> list[Line2D | Patch]:
     """Return the legend entries of the order shown first and, if there are any, of ranges where up and down differ."""
-    dot = {"linestyle": "none", "markeredgewidth": 0}
-    entries = [Line2D([], [], marker="o", markersize=1.8, color="black", label=f"section, {NAMES[main]}", **dot)]
+    dot: dict[str, Any] = {"linestyle": "none", "markeredgewidth": 0}
+    entries: list[Line2D | Patch] = [
+        Line2D([], [], marker="o", markersize=1.8, color="black", label=f"section, {NAMES[main]}", **dot)
+    ]
     if apart:
         entries += [Line2D([], [], markersize=3.0, label=NAMES[order], **dot, **_STYLES[order]) for order in _STYLES]
         entries.append(Patch(facecolor=_SHADE, edgecolor="none", label="up and down differ"))

@@ -48,7 +48,7 @@ def draw(figure: Figure, portraits: xr.Dataset, cfg: dict[str, Any]) -> None:
         axes = figure.add_subplot(grid[row, start : start + 2])
         portrait = portraits.isel(point=position)
         _draw_portrait(axes, portrait)
-        motion = motion_classes.short(motion_classes.name_of(portrait["motion_class"]))
+        motion = motion_classes.short(motion_classes.name_of(portrait["motion_class"].item()))
         axes.set_title(f"{letter(position)} {float(portrait[cfg['sweep']]):g}", loc="left")
         axes.set_title(f"{motion}, {_signed(float(portrait['lyapunov_exponent']))}", loc="right")
     unit = swept.length_unit(cfg["sweep"], cfg["swept"])

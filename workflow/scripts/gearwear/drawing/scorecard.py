@@ -39,8 +39,10 @@ def page(
     claims : the statements, as in `config/paper_claims.yaml`.
     sweeps : datasets of the sweeps by case and swept quantity.
     """
-    shown = [{**row, "strips": _strips(claim, sweeps)} for row, claim in zip(rows, claims, strict=True)]
-    groups = []
+    shown: list[dict[str, Any]] = [
+        {**row, "strips": _strips(claim, sweeps)} for row, claim in zip(rows, claims, strict=True)
+    ]
+    groups: list[dict[str, Any]] = []
     for title, figures in _GROUPS:
         members = [row for row in shown if row["figure"].rstrip("abcd") in figures]
         groups.append({"title": title, "rows": members, "agree": _agree(members)})

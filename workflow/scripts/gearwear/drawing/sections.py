@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -20,7 +22,7 @@ def draw(axes: Axes, values: np.ndarray, dataset: xr.Dataset, sizes: tuple[float
     displacement = dataset["section_displacement"].values
     repeats, endless = chosen(dataset)
     swept_values = np.broadcast_to(values[:, None], displacement.shape)
-    dots = {"linestyle": "none", "marker": "o", "markeredgewidth": 0, "rasterized": True} | style
+    dots: dict[str, Any] = {"linestyle": "none", "marker": "o", "markeredgewidth": 0, "rasterized": True} | style
     axes.plot(swept_values[endless], displacement[endless], markersize=sizes[0], alpha=0.6, **dots)
     axes.plot(swept_values[repeats], displacement[repeats], markersize=sizes[1], **dots)
 

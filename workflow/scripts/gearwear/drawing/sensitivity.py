@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -27,7 +27,7 @@ _HEIGHT_OF_ROW = 0.74
 _SMALL = 5.6  # points
 _WIDTH = 150  # characters of a line
 _PAPER = {"facecolor": "white", "edgecolor": "none", "pad": 0.4}
-_WORDS = {"fontsize": _SMALL - 0.4, "fontstyle": "italic", "bbox": _PAPER}
+_WORDS: dict[str, Any] = {"fontsize": _SMALL - 0.4, "fontstyle": "italic", "bbox": _PAPER}
 _PERCENT = 100.0
 
 # Okabe and Ito (2008), safe for colour-blind readers; low and high differ in lightness.
@@ -73,7 +73,7 @@ def draw(figure: Figure, table: xr.Dataset) -> None:
     for position, (axes, quantity) in enumerate(zip(panels.flat, quantities, strict=True)):
         _draw_panel(axes, quantity, table)
         axes.set_title(f"{letter(position)} {_TITLES[quantity.name]}", loc="left")
-    impossible = [_label(table, i) for i in np.flatnonzero(_hindered(table))]
+    impossible = [_label(table, int(i)) for i in np.flatnonzero(_hindered(table))]
     if impossible:
         figure.supxlabel(textwrap.fill(f"Not possible: {listed(impossible)}.", _WIDTH), fontsize=_SMALL)
     legend.above(figure, _keys(), 3)
@@ -147,7 +147,7 @@ def _largest(rows: list[Row]) -> float:
 
 
 def _possible(table: xr.Dataset) -> dict[str, int]:
-    return {str(table["member"].values[i]): i for i in np.flatnonzero(~_hindered(table))}
+    return {str(table["member"].values[i]): int(i) for i in np.flatnonzero(~_hindered(table))}
 
 
 def _hindered(table: xr.Dataset) -> np.ndarray:

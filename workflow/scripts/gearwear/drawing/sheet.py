@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Literal
 
 import matplotlib.style
 from matplotlib.figure import Figure
@@ -15,7 +16,7 @@ MILLIMETRE = 1 / 25.4  # inch
 
 
 @contextmanager
-def sheet(job, width: float, height: float, layout: str | None = "constrained") -> Iterator[Figure]:
+def sheet(job, width: float, height: float, layout: Literal["constrained"] | None = "constrained") -> Iterator[Figure]:
     """Give an empty figure in the style of `job`; write it as the outputs of `job` if the body succeeds.
 
     Parameters

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -94,7 +95,7 @@ def _draw_curves(axes: Axes, members: Sequence[Outcome]) -> None:
     gate = not errors and len(expected) == 1
     names = list(dict.fromkeys(outcome.check.label for outcome in members))
     for number, name in enumerate(names):
-        ink = {"color": _CURVES[number], "label": name}
+        ink: dict[str, Any] = {"color": _CURVES[number], "label": name}
         for outcome in (one for one in members if one.check.label == name):
             check, x = outcome.check, np.array(outcome.check.at, dtype=float)
             found = np.abs(outcome.found) if errors else np.array(outcome.found)
@@ -103,7 +104,12 @@ def _draw_curves(axes: Axes, members: Sequence[Outcome]) -> None:
             if errors:
                 axes.plot(x, check.tolerance, "_", markersize=6, markeredgewidth=0.8, **ink)
             elif not gate:
-                open_mark = {"fmt": _MARKS[number], "markersize": 5.0, "markerfacecolor": "none", "elinewidth": 0.6}
+                open_mark: dict[str, Any] = {
+                    "fmt": _MARKS[number],
+                    "markersize": 5.0,
+                    "markerfacecolor": "none",
+                    "elinewidth": 0.6,
+                }
                 axes.errorbar(x, check.expected, check.tolerance, markeredgewidth=0.5, **open_mark, **ink)
     if errors:
         axes.set_yscale("log")

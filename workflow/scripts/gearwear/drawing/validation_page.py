@@ -21,7 +21,7 @@ def page(template: str, outcomes: Sequence[Outcome], titles: Mapping[str, str], 
     titles : of the groups, in the order of the page.
     figures : SVG of every group.
     """
-    groups = []
+    groups: list[dict[str, Any]] = []
     for name, title in titles.items():
         members = [outcome for outcome in outcomes if outcome.check.group == name]
         image = base64.b64encode(figures[name]).decode("ascii")
