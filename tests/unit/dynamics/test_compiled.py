@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -16,6 +17,13 @@ from gearwear.dynamics.periodic import Harmonics
 chaotic = Oscillator(1.4, 0.1, 0.1, Harmonics(1.0, (-0.4,), (0.0,)), Harmonics(0.0, (0.1,), (0.0,)))
 motion = strobe(chaotic, (0.0, 0.0), 300)
 print(hashlib.sha256(b"".join(part.tobytes() for part in motion[:8])).hexdigest())
+"""
+
+TINY = """
+import numpy as np
+from gearwear.dynamics import tangent
+assert tangent.growth_of(np.zeros(2), 3.0, 4.0) > 1.6
+print(tangent.__file__)
 """
 
 
@@ -47,6 +55,24 @@ def test_folder_that_cannot_be_made_is_replaced(tmp_path, monkeypatch):
     folder = compiled.cache_folder({"GEARWEAR_CACHE": str(tmp_path / "file")}, "abc")
     assert folder.is_dir()
     assert folder == tmp_path / f"gearwear-{os.getuid()}" / "numba" / "abc"
+
+
+def test_a_copy_of_the_program_finds_the_machine_code_and_another_program_does_not(tmp_path):
+    package = Path(compiled.__file__).parents[1]
+    times = {}
+    for name in ("first", "copy", "changed"):
+        copy = shutil.copytree(package, tmp_path / name / "gearwear", ignore=shutil.ignore_patterns("__pycache__"))
+        if name == "changed":
+            with open(copy / "dynamics" / "tangent.py", "a") as file:
+                file.write("\n")
+        environment = dict(os.environ) | {"GEARWEAR_CACHE": str(tmp_path / "cache"), "PYTHONPATH": str(copy.parent)}
+        found = subprocess.run(
+            [sys.executable, "-c", TINY], env=environment, capture_output=True, text=True, check=True
+        )
+        assert str(copy) in found.stdout
+        times[name] = {str(path): path.stat().st_mtime_ns for path in (tmp_path / "cache").rglob("*.nbc")}
+    assert times["first"] and times["copy"] == times["first"]
+    assert len(times["changed"]) == 2 * len(times["first"])
 
 
 def test_cold_and_warm_cache_give_equal_bits(tmp_path):

@@ -2,7 +2,8 @@
 
 numba keys a cached function by its own source file only, so an edit of a *called* function in another file
 would meet stale machine code. The cache folder is therefore named by a digest over every source file of this
-package. All kernels are compiled in strict IEEE arithmetic: results are bit-equal from a cold and a warm cache.
+package, and by nothing else: copies of the program with equal sources share their machine code. All kernels are
+compiled in strict IEEE arithmetic: results are bit-equal from a cold and a warm cache.
 """
 
 import functools
@@ -45,9 +46,21 @@ CACHE_FOLDER = cache_folder(dict(os.environ), source_digest(Path(__file__).paren
 os.environ["NUMBA_CACHE_DIR"] = str(CACHE_FOLDER)
 
 import numba  # noqa: E402  (the cache folder must be set first)
+from numba.core.caching import UserProvidedCacheLocator  # noqa: E402
+
+
+class ByDigest(UserProvidedCacheLocator):
+    """Place of the machine code of a function, wherever its source file lies."""
+
+    @classmethod
+    def get_suitable_cache_subpath(cls, py_file: str) -> str:
+        """Return the name of the package, not of the folder around it."""
+        return Path(py_file).parent.name
+
 
 # numba may have been imported, and have read its environment, before this module.
 numba.config.CACHE_DIR = str(CACHE_FOLDER)
+numba.config.CACHE_LOCATOR_CLASSES = f"{__name__}.{ByDigest.__name__}"
 
 njit = functools.partial(numba.njit, cache=True, nogil=True, fastmath=False, error_model="numpy")
 
