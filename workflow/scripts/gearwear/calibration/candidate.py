@@ -91,8 +91,8 @@ def quick_sweeps(config: dict[str, Any], several: Sequence[Pair], values: Values
     for _ in several:
         sweeps = {}
         for name, chosen in values.items():
-            own = slice(place, place + len(chosen))
-            sweeps[name] = Sweep(chosen, classes[own], extents[own])
+            part = slice(place, place + len(chosen))
+            sweeps[name] = Sweep(chosen, classes[part], extents[part])
             place += len(chosen)
         found.append(sweeps)
     return found

@@ -38,7 +38,8 @@ def ends(settings: Mapping[str, Any]) -> tuple[np.ndarray, np.ndarray]:
     ----------
     settings : the section `calibration`.
     """
-    return tuple(np.array([settings[name][end] for name in NAMES]) for end in ("low", "high"))
+    low, high = (np.array([settings[name][end] for name in NAMES]) for end in ("low", "high"))
+    return low, high
 
 
 def with_values(config: Mapping[str, Any], values: np.ndarray) -> dict[str, Any]:

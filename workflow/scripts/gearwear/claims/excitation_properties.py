@@ -24,7 +24,7 @@ def stiffness_falls_with_temperature(study: Study) -> tuple[bool, str]:
     shares, drops = [], []
     for colder, hotter in steps:
         drop = _relative_drop(study, (colder, 0), (hotter, 0))
-        shares.append(np.mean(drop > 0))
+        shares.append(float(np.mean(drop > 0)))
         drops.append(f"{colder} to {hotter} {percent(drop.mean())}")
     found = f"mean drop {', '.join(drops)}; at no less than {percent(min(shares))} of the phases"
     return bool(min(shares) == 1), found
@@ -34,7 +34,7 @@ def stiffness_falls_with_wear(study: Study) -> tuple[bool, str]:
     """Return whether wear alone lowers the stiffness at every phase, last cycle against the first."""
     drop = _drop_by_wear(study)
     found = f"mean drop {percent(drop.mean())}, largest {percent(drop.max())}"
-    return bool(np.all(drop > 0)), f"{found}, lower at {percent(np.mean(drop > 0))} of the phases"
+    return bool(np.all(drop > 0)), f"{found}, lower at {percent(float(np.mean(drop > 0)))} of the phases"
 
 
 def stiffness_drop_larger_in_double_contact(study: Study) -> tuple[bool, str]:
@@ -68,7 +68,7 @@ def transmission_error_rises(study: Study) -> tuple[bool | None, str]:
     for before, after in pairwise(study.diagonal):
         rise, double = _rise_of_transmission_error(study, before, after)
         holds &= rise[double].mean() > 0 and rise[~double].mean() > 0
-        shares.append(np.mean(rise > 0))
+        shares.append(float(np.mean(rise > 0)))
     rise, double = _rise_of_transmission_error(study, study.diagonal[0], study.diagonal[-1])
     found = f"mean rise double {micrometres(rise[double].mean())}, single {micrometres(rise[~double].mean())}"
     return bool(holds), f"{found}; each step rises at no less than {percent(min(shares))} of the phases"

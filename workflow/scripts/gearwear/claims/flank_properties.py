@@ -96,7 +96,7 @@ def growth_of_pinion_falls(study: Study) -> tuple[bool, str]:
         steps = np.diff(growth.values)
         apart = np.diff(growth["path"].values) > 0
         rounding = rules.GRID_TOLERANCE * np.abs(growth.values).max()
-        holds &= np.all(steps[apart] < 0) and np.all(steps[~apart] <= rounding)
+        holds &= bool(np.all(steps[apart] < 0) and np.all(steps[~apart] <= rounding))
         found.append(f"{case} {micrometres(growth.values[0])} to {micrometres(growth.values[-1])}")
     return bool(holds), ", ".join(found)
 

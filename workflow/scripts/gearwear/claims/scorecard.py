@@ -1,6 +1,7 @@
 """The scorecard: one verdict on each statement of the reference paper."""
 
 from collections.abc import Iterable, Mapping
+from typing import Any
 
 from gearwear.claims import rules
 from gearwear.claims.events import judge_event
@@ -57,7 +58,7 @@ def judge(claim: dict, study: Study) -> tuple[bool | None, str]:
     return PROPERTIES[claim["id"]](study)
 
 
-def expectation(claim: dict) -> str:
+def expectation(claim: Mapping[str, Any]) -> str:
     """Return in words what the results have to show for the verdict `agree`."""
     kind = claim["kind"]
     if kind == "window":
@@ -72,7 +73,7 @@ def expectation(claim: dict) -> str:
     return "holds"
 
 
-def cases_of(claim: dict) -> list[str]:
+def cases_of(claim: Mapping[str, Any]) -> list[str]:
     """Return the cases of a window claim, given as one name or a list."""
     return [claim["case"]] if isinstance(claim["case"], str) else claim["case"]
 

@@ -90,7 +90,7 @@ class Study:
 
     def cases_by_temperature(self) -> list[str]:
         """Return the drawn cases in order of bulk temperature: one of each temperature, at least two."""
-        by_temperature = {}
+        by_temperature: dict[float, str] = {}
         for case, _ in self.diagonal:
             by_temperature.setdefault(self.bulk_temperature(case), case)
         if len(by_temperature) < 2:

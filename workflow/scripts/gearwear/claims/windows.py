@@ -36,10 +36,10 @@ def judge_window(sweep: Sweep, low: float, high: float, names: list[str]) -> tup
 
 def judge_window_of_cases(study: Study, cases: list[str], name: str, window, names) -> tuple[bool | None, str]:
     """Return whether the window (low, high) of sweep `name` agrees in every case, and what each shows."""
-    outcomes, found = [], []
+    (low, high), outcomes, found = window, [], []
     for case in cases:
         try:
-            outcome, text = judge_window(read_sweep(study, case, name), *window, names)
+            outcome, text = judge_window(read_sweep(study, case, name), low, high, names)
         except Undecided as reason:
             outcome, text = None, str(reason)
         outcomes.append(outcome)

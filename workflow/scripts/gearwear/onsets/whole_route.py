@@ -58,7 +58,7 @@ def events(config: dict[str, Any], source: Excitation, sweeps: list[xr.Dataset],
     largest_period : of the orbits that are followed; the doublings of longer ones are absent.
     """
     dynamics, ends, following = config["dynamics"], config["sweeps"]["mesh_frequency"], config["branches"]
-    found = [seed for sweep in sweeps for seed in seeds(*(sweep[name].values for name in _SEEN), largest_period)]
+    found = [seed for sweep in sweeps for seed in seeds(*[sweep[name].values for name in _SEEN], largest_period)]
     found = [seed for seed in found if source.oscillator(dynamics, seed.value).torque.repeats_after(seed.period)]
     limits = Limits(ends["first"], ends["last"], following["largest_step"], most_nodes=following["most_nodes"])
     maps = return_maps(lambda value: source.oscillator(dynamics, value), min(dynamics["tolerance"], COARSEST))

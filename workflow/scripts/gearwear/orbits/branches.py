@@ -55,7 +55,7 @@ def follow(family: Family, orbit: Orbit, limits: Limits) -> Branch:
         raise ValueError(f"orbit: its parameter {orbit.value} is outside the range {limits.first} to {limits.last}")
     curve = Curve(family, orbit.period, limits.first, limits.last)
     seed = curve.point(orbit)
-    sides = []
+    sides: list[tuple[list[Node], End]] = []
     for side, bound in ((1.0, limits.last), (-1.0, limits.first)):
         if orbit.value == bound:
             sides.append(([], ends.at_bound(orbit)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -73,8 +74,8 @@ def walk(curve: Curve, start: Point, forward: np.ndarray, limits: Limits, new: b
     -------
     nodes, end : the nodes in order, special points between them; and why there are no more
     """
-    here, nodes = start, []
-    slope, tangent = None, forward
+    here, slope, tangent = start, None, forward
+    nodes: list[Node] = []
     if not new:
         slope, trouble = curve.slope(here.place)
         if trouble:
@@ -171,11 +172,15 @@ def _end(
     return None, [reached]
 
 
+def _margin(kind: int, orbit: Orbit) -> float:
+    return margins(orbit.matrix)[kind - 1]
+
+
 def _specials(curve: Curve, here: Point, reached: Point, last: Point, skip: bool) -> list[Node] | None:
     """Return the special points of a step, in order and before the last point; None if one cannot be located."""
     found = []
     for kind in [] if skip else crossings(here.orbit.matrix, reached.orbit.matrix):
-        point = locate(curve, here, reached, lambda orbit, kind=kind: margins(orbit.matrix)[kind - 1])
+        point = locate(curve, here, reached, partial(_margin, kind))
         if point is None:
             return None
         found.append((np.linalg.norm(point.place - here.place), Node(point.orbit, kind)))

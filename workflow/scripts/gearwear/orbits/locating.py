@@ -28,7 +28,7 @@ def locate(curve: Curve, before: Point, after: Point, function: Callable[[Orbit]
     is found to 1e-10 as far as the integrator allows.
     """
     chord = after.place - before.place
-    length = np.linalg.norm(chord)
+    length = float(np.linalg.norm(chord))
     known = {0.0: before, 1.0: after}
 
     def at(share: float) -> float:
@@ -65,17 +65,18 @@ def doubling_near(family: Family, value: float, state: np.ndarray, period: int) 
 
     The secant method over the parameter, to 1e-10; every orbit on the way starts Newton's method for the next.
     """
-    found = {"state": state}
+    last: Orbit | None = None
 
     def margin(at: float) -> float:
-        orbit = periodic_orbit(family, at, found["state"], period).orbit
+        nonlocal last
+        orbit = periodic_orbit(family, at, state if last is None else last.section[0], period).orbit
         if orbit is None:
             raise _Lost
-        found["state"], found["orbit"] = orbit.section[0], orbit
+        last = orbit
         return margins(orbit.matrix)[PERIOD_DOUBLING - 1]
 
     try:
         margin(newton(margin, value, tol=_PARAMETER_ACCURACY, maxiter=_MOST_STEPS))
     except (_Lost, ValueError, RuntimeError):
         return None
-    return found["orbit"]
+    return last

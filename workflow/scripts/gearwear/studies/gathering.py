@@ -32,7 +32,7 @@ def gathered(axes: dict[str, list[Any]], names: Sequence[str], outcomes: Sequenc
         table[name] = ((*axes, *values.dims), stacked.reshape(*sizes, *values.shape))
     if MEMBER not in axes:
         table["member_name"] = (tuple(axes), np.array(names, dtype=object).reshape(sizes))
-    coords = {name: first[name] for name in first.coords}
+    coords: dict[str, Any] = {str(name): first[name] for name in first.coords}
     coords |= {key: (key, _numbers(values)) for key, values in axes.items()}
     return xr.Dataset(table, coords)
 

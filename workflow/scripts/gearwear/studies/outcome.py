@@ -72,7 +72,9 @@ def outcome(cfg: dict[str, Any], chain: xr.Dataset, update: int) -> xr.Dataset:
     first = excitation(chain, state, reference, cfg["operation"]["pinion_torque"], dynamics | {"harmonics": 1})
     ratios = sweeps[order][whole_route.route.SWEEP].values
     natural_speed = source.natural_frequency / float(chain["teeth"][0]) * _TO_RPM
-    values = {name: (("order", "point"), np.stack([sweeps[one][name].values for one in ORDERS])) for name in _COLUMNS}
+    values: dict[str, Any] = {
+        name: (("order", "point"), np.stack([sweeps[one][name].values for one in ORDERS])) for name in _COLUMNS
+    }
     values |= {
         "pinion_speed": ("point", ratios * natural_speed),
         "natural_speed": natural_speed,

@@ -68,4 +68,5 @@ def _limit(one: xr.Dataset, holds: np.ndarray) -> Limit:
     last = len(holds) - 1 if holds.all() else int(np.argmin(holds)) - 1
     if last < 0:
         return Limit(np.nan, np.nan, False)
-    return Limit(*(float(one[name].values[last]) for name in ("mesh_frequency", "pinion_speed")), bool(holds.all()))
+    ratio, speed = (float(one[name].values[last]) for name in ("mesh_frequency", "pinion_speed"))
+    return Limit(ratio, speed, bool(holds.all()))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
+from typing import Any
 
 from gearwear.validation import bifurcations, convergence, geometry, heat, iso, oscillator, sharing, stiffness, wear
 
-QUANTITIES: Mapping[str, Mapping[str, Callable]] = {
+QUANTITIES: Mapping[str, Mapping[str, Any]] = {
     "geometry": geometry.QUANTITIES,
     "stiffness": stiffness.QUANTITIES,
     "iso_6336": iso.QUANTITIES,

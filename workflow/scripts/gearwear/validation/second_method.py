@@ -68,5 +68,5 @@ def _corner(position: float, direction: float):
     def distance(t, y, side):
         return y[0] - position
 
-    distance.terminal, distance.direction = True, direction
+    vars(distance).update(terminal=True, direction=direction)
     return distance
