@@ -19,6 +19,7 @@ CHAIN = (
     "backlash",
     "response",
     "advance_wear",
+    "excitation",
     "sweep",
     "onsets",
 )
@@ -80,18 +81,7 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("elasticity.law", {"temperature", "advance_wear", "mesh_stiffness"}),
         (
             "operation.pinion_torque",
-            {
-                "temperature",
-                "transmission_error",
-                "advance_wear",
-                "response",
-                "sweep",
-                "branches",
-                "onsets",
-                "portraits",
-            }
-            | MAPS
-            | {"basins"},
+            {"temperature", "transmission_error", "advance_wear", "response", "excitation"} | MAPS,
         ),
         ("operation.pinion_speed", {"temperature", "advance_wear", "response"}),
         ("lubricant.composite_roughness", {"temperature", "advance_wear"}),
@@ -102,6 +92,8 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("transmission_error.mode", {"transmission_error"}),
         ("backlash.half_backlash", {"backlash"}),
         ("wear.cycles_per_update", {"advance_wear"}),
+        ("dynamics.clearance", {"response", "excitation"} | MAPS),
+        ("dynamics.start.at", {"response", "sweep", "onsets", "portraits"} | MAPS),
         ("dynamics.damping_ratio", {"response", "sweep", "branches", "onsets", "portraits", "basins"} | MAPS),
         ("settling.largest_period", {"response", "sweep", "onsets", "portraits", "basins"} | MAPS),
         ("cases.with.bulk_temperature", {"temperature", "deformation", "advance_wear", "mesh_stiffness"}),

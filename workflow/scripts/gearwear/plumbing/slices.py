@@ -13,6 +13,8 @@ from gearwear.plumbing.calibration_sections import Calibration
 from gearwear.plumbing.key_types import SWEEPS
 
 _EXCITED = ("dynamics", "settling", "operation.pinion_torque")
+_OSCILLATOR = ("dynamics.damping_ratio", "dynamics.torque_fluctuation", "dynamics.tolerance")
+_MOVED = (*_OSCILLATOR, "dynamics.start", "settling")
 _WHOLE_CHAIN = (
     "gear_pair",
     "grid",
@@ -72,13 +74,20 @@ STAGES: dict[str, tuple[str, ...]] = {
     "transmission_error": ("transmission_error", "operation.pinion_torque"),
     "backlash": ("backlash",),
     "response": (*_EXCITED, "operation.pinion_speed"),
-    "sweep": (*_EXCITED, "sweeps.{sweep}"),
-    "branches": ("dynamics", "operation.pinion_torque", "sweeps.{sweep}", "branches"),
+    "excitation": (
+        "dynamics.stiffness",
+        "dynamics.harmonics",
+        "dynamics.ste_amplitude",
+        "dynamics.clearance",
+        "operation.pinion_torque",
+    ),
+    "sweep": (*_MOVED, "sweeps.{sweep}"),
+    "branches": (*_OSCILLATOR, "sweeps.{sweep}", "branches"),
     "map_ste": (*_EXCITED, "maps.mesh_frequency", "maps.ste"),
     "map_backlash": (*_EXCITED, "maps.mesh_frequency", "maps.backlash", "sweeps.backlash.reading"),
     "map_temperature": (*_EXCITED, "maps.mesh_frequency", "maps.temperature"),
     "map_wear": (*_EXCITED, "maps.mesh_frequency"),
-    "onsets": (*_EXCITED, "sweeps.order", "onsets.refinement"),
+    "onsets": (*_MOVED, "sweeps.order", "onsets.refinement"),
     "measures": (
         *_WHOLE_CHAIN,
         "sweeps.order",
@@ -96,9 +105,10 @@ STAGES: dict[str, tuple[str, ...]] = {
         "sweeps.backlash",
         *(f"calibration.{name}" for name in Calibration.model_fields if name != "islands"),
     ),
-    "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
+    "portraits": (*_MOVED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
     "basins": (
-        *_EXCITED,
+        *_OSCILLATOR,
+        "settling",
         "sweeps.{sweep}",
         "basins.points.{sweep}.{case}",
         "basins.displacement",

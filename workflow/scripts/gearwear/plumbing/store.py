@@ -34,6 +34,7 @@ _MADE_BY = {
     "transmission_error": ("share_load",),
     "backlash": ("open_backlash",),
     "response": ("solve_response",),
+    "excitation": ("build_excitation",),
     "parts": ("sweep_part",),
     "restart": ("join_sweep",),
     "up": ("carry_sweep",),
@@ -53,7 +54,16 @@ _MADE_BY = {
 }
 
 # names of nothing else
-_SINGLE = ("geometry", "onsets", "onset_variants", "onset_shifts", "measures", "sensitivity", "calibration")
+_SINGLE = (
+    "geometry",
+    "excitation",
+    "onsets",
+    "onset_variants",
+    "onset_shifts",
+    "measures",
+    "sensitivity",
+    "calibration",
+)
 
 
 def load(path: str | Path) -> xr.Dataset:
