@@ -12,6 +12,8 @@ rule build_excitation:
         "results/logs/{root}{case}/build_excitation.log",
     benchmark:
         "results/benchmarks/{root}{case}/build_excitation.tsv"
+    wildcard_constraints:
+        case=one_of("cases"),
     params:
         cfg=cfg("excitation"),
         code=code("build_excitation.py"),
@@ -19,6 +21,24 @@ rule build_excitation:
         "Case {wildcards.root}{wildcards.case}: building the excitation of the oscillator."
     script:
         "../scripts/build_excitation.py"
+
+
+rule give_excitation:
+    output:
+        "results/{root}{case}/excitation.nc",
+    log:
+        "results/logs/{root}{case}/give_excitation.log",
+    benchmark:
+        "results/benchmarks/{root}{case}/give_excitation.tsv"
+    wildcard_constraints:
+        case=one_of("oscillators"),
+    params:
+        cfg=cfg("given_excitation"),
+        code=code("give_excitation.py"),
+    message:
+        "Oscillator {wildcards.root}{wildcards.case}: taking the excitation from the configuration."
+    script:
+        "../scripts/give_excitation.py"
 
 
 rule sweep_part:

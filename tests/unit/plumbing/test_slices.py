@@ -10,7 +10,7 @@ import yaml
 from gearwear.plumbing.slices import STAGES, slice_of
 
 ROOT = Path(__file__).resolve().parents[3]
-SWEPT = ("sweep", "branches", "portraits", "basins")
+BY_NAME = ("sweep", "branches", "portraits", "basins", "given_excitation")
 CHAIN = (
     "temperature",
     "deformation",
@@ -28,7 +28,8 @@ MAPS = {"map_ste", "map_backlash", "map_temperature", "map_wear"}
 
 @pytest.fixture
 def config():
-    return yaml.safe_load((ROOT / "config" / "config.yaml").read_text())
+    config = yaml.safe_load((ROOT / "config" / "config.yaml").read_text())
+    return config | {"oscillators": {name: {"mean_force": 0.1} for name in config["cases"]}}
 
 
 def cut(config, stage, case="with", sweep="backlash"):
@@ -95,6 +96,8 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("dynamics.clearance", {"response", "excitation"} | MAPS),
         ("dynamics.start.at", {"response", "sweep", "onsets", "portraits"} | MAPS),
         ("dynamics.damping_ratio", {"response", "sweep", "branches", "onsets", "portraits", "basins"} | MAPS),
+        ("oscillators.with.mean_force", {"given_excitation"}),
+        ("oscillators.without.mean_force", set()),
         ("settling.largest_period", {"response", "sweep", "onsets", "portraits", "basins"} | MAPS),
         ("cases.with.bulk_temperature", {"temperature", "deformation", "advance_wear", "mesh_stiffness"}),
         ("cases.with.flash", {"temperature"}),
@@ -151,7 +154,7 @@ def test_the_measures_see_no_other_sweep_and_no_other_case(config):
     assert set(cut(config, "measures")["cases"]) == {"without", "with", "temperature_only"}
 
 
-@pytest.mark.parametrize("stage", [stage for stage in STAGES if stage not in SWEPT])
+@pytest.mark.parametrize("stage", [stage for stage in STAGES if stage not in BY_NAME])
 def test_stages_of_the_wear_chain_do_not_know_the_case_by_name(config, stage):
     config["cases"]["twin"] = dict(config["cases"]["with"])
     assert cut(config, stage, "twin") == cut(config, stage, "with")
@@ -183,5 +186,5 @@ def test_every_key_of_the_physics_reaches_a_stage(config):
                 }
     only_targets = {("cases", case, "running_cycles") for case in config["cases"] if case not in ("without", "with")}
     only_targets |= {("sweeps", sweep, "cases") for sweep in config["portraits"]}
-    only_targets |= {("figures", "diagonal"), ("maps", "case"), ("calibration", "islands")}
+    only_targets |= {("figures", "diagonal"), ("figures", "claims"), ("maps", "case"), ("calibration", "islands")}
     assert set(leaves(config)) - reached == only_targets

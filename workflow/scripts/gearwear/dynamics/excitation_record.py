@@ -25,12 +25,13 @@ _MEANS = {"stiffness": 1.0, "error_shape": 0.0}  # of the sums of harmonics
 
 
 def columns(source: Excitation) -> dict[str, Any]:
-    """Return the variables of the file.
+    """Return the variables of the file; numbers that the excitation does not have (nan) are left out.
 
     Stiffness and error are sums of harmonics (dimension `harmonic`) or tables (dimensions `cell` and `cell_edge`); a
     clearance that does not vary has no harmonics.
     """
-    values: dict[str, Any] = {name: getattr(source, attribute) for name, attribute in _SCALARS.items()}
+    scalars = {name: getattr(source, attribute) for name, attribute in _SCALARS.items()}
+    values: dict[str, Any] = {name: value for name, value in scalars.items() if not np.isnan(value)}
     values["mean_clearance"] = source.clearance.mean
     waves = {"stiffness": source.stiffness, "error_shape": source.shape, "clearance": source.clearance}
     for name, wave in waves.items():
@@ -40,7 +41,7 @@ def columns(source: Excitation) -> dict[str, Any]:
 
 def recorded(dataset: xr.Dataset) -> Excitation:
     """Return the excitation that `columns` wrote."""
-    scalars = {attribute: float(dataset[name]) for name, attribute in _SCALARS.items()}
+    scalars = {attribute: float(dataset.get(name, np.nan)) for name, attribute in _SCALARS.items()}
     stiffness, shape = (_wave(dataset, name, mean) for name, mean in _MEANS.items())
     clearance = _wave(dataset, "clearance", float(dataset["mean_clearance"]))
     return Excitation(stiffness=stiffness, shape=shape, clearance=clearance, **scalars)

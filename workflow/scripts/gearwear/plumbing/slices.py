@@ -81,6 +81,7 @@ STAGES: dict[str, tuple[str, ...]] = {
         "dynamics.clearance",
         "operation.pinion_torque",
     ),
+    "given_excitation": ("oscillators.{case}",),
     "sweep": (*_MOVED, "sweeps.{sweep}"),
     "branches": (*_OSCILLATOR, "sweeps.{sweep}", "branches"),
     "map_ste": (*_EXCITED, "maps.mesh_frequency", "maps.ste"),
@@ -136,7 +137,7 @@ def slice_of(config: dict, stage: str, case: str = "", sweep: str = "") -> dict[
     cut: dict[str, Any] = {}
     for dotted in wanted:
         path = dotted.format(case=case, sweep=sweep, reference=config["dynamics"]["reference_case"]).split(".")
-        source: Any = {**config, "case": config["cases"].get(case)}
+        source: Any = {**config, "case": config["cases"][case]} if case in config["cases"] else config
         target = cut
         for name in path[:-1]:
             source = source[name]

@@ -34,7 +34,7 @@ _MADE_BY = {
     "transmission_error": ("share_load",),
     "backlash": ("open_backlash",),
     "response": ("solve_response",),
-    "excitation": ("build_excitation",),
+    "excitation": ("build_excitation", "give_excitation"),
     "parts": ("sweep_part",),
     "restart": ("join_sweep",),
     "up": ("carry_sweep",),
