@@ -35,10 +35,10 @@ rule all:
     input:
         states(),
         figures(),
+        portrait_figures(),
         extra_figures(),
         basin_figures(),
-        "results/claims.csv",
-        "results/claims.html",
+        scorecard(),
         "results/parameters.html",
         "results/versions.html",
 

@@ -250,7 +250,7 @@ def inputs_of(results, number):
             kind: [str(results / f"{state['case']}_{sweep}_{kind}.nc") for state in states]
             for kind in (*CLASSES, "branches")
         }
-        claims = str(ROOT / "config" / "paper_claims.yaml")
+        claims = [str(ROOT / "config" / "paper_claims.yaml")]
         return "plot_bifurcation", files | {"claims": claims}, cfg | {"states": states, "order": "restart"}
     state = STATES[0 if number == 13 else 1]
     if number == "basins":

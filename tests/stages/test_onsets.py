@@ -67,6 +67,7 @@ def onsets(run, states):
         name: str(states("without")[name]) for name in ("geometry", "mesh_stiffness", "transmission_error", "backlash")
     }
     files |= {"reference_stiffness": files["mesh_stiffness"], "reference_error": files["transmission_error"]}
+    files = {"excitation": run("build_excitation", "excitation", files, "excitation.nc")}
     sweeps = [run("sweep_part", "sweep", files, scatteritem="1-of-1")]
     sweeps += [run("carry_sweep", "sweep", files, order=order) for order in ORDERS[1:]]
     branches = run("continue_orbits", "branches", files | {"sweeps": sweeps})

@@ -377,6 +377,49 @@ def test_a_file_without_sections(raw):
         check(raw)
 
 
+def oscillator(changes=None):
+    waves = {"amplitudes": [0.2], "phases": [0.0]}
+    return {"mean_force": 0.1, "stiffness": waves, "error": waves} | (changes or {})
+
+
+@pytest.mark.parametrize(
+    "name, given, line",
+    [
+        ("one", oscillator(), "oscillators.one: swept nowhere; add it to sweeps.mesh_frequency.cases"),
+        ("with", oscillator(), "oscillators.with: the name is that of a case; choose another"),
+        (
+            "one",
+            oscillator({"error": {"amplitudes": [0.1, 0.2], "phases": [0.0]}}),
+            "oscillators.one.error.phases: 1 phases for 2 amplitudes; give one phase for every amplitude",
+        ),
+        (
+            "one",
+            oscillator({"error": {"amplitudes": [0.0, 0.2], "phases": [0.0, 0.0]}}),
+            "oscillators.one.error.amplitudes: the first is 0 and another is not; all are scaled by the first, so give "
+            "it a value, however small",
+        ),
+        (
+            "one",
+            oscillator({"mean_force": "much"}),
+            "oscillators.one.mean_force: text 'much' is not a number; give a number from -100 to 100",
+        ),
+    ],
+)
+def test_oscillators_that_cannot_be(name, given, line):
+    changes = {"oscillators": {name: given}}
+    if "swept nowhere" not in line:
+        changes["sweeps.mesh_frequency.cases"] = [name]
+    assert problems(changes) == [line]
+
+
+def test_what_is_listed_for_cases_is_passed_over_where_an_oscillator_is_given():
+    raw = load("config.yaml")
+    raw["oscillators"] = {"one": oscillator()}
+    raw["sweeps"]["mesh_frequency"]["cases"] = ["one"]
+    assert raw["portraits"]["mesh_frequency"]["with"]  # whose case is not swept now
+    assert check(raw)["oscillators"]["one"]["error"]["amplitudes"] == [0.2]
+
+
 def problems(changes):
     raw = load("config.yaml")
     for path, value in changes.items():

@@ -35,6 +35,7 @@ CHANGED_VALUES = {
     "transmission_error.heat": "none",
     "backlash.half_backlash": 66.0e-6,
     "wear.pressure": "peak",
+    "dynamics.clearance": "varying",
     "dynamics.damping_ratio": 0.084,
     "settling.sampled_periods": 82,
     "sweeps.ste.points": 13,
@@ -53,6 +54,8 @@ def rule_of(path: str) -> str:
         return "build_geometry"
     if path in CLAIMS:
         return "judge_claims"
+    if parts[-1] == "excitation.nc":
+        return "build_excitation"
     if parts[-1] == "temperature.nc":
         return "heat_contact"
     if parts[-1] == "deformation.nc":

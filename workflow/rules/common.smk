@@ -25,12 +25,21 @@ if workflow.is_main_process and not only_looks(sys.argv[1:]):
         raise WorkflowError(str(error))
 
 
+def one_of(*sections):
+    """The constraint of a wildcard to the names in sections of the configuration and its members."""
+    names = [
+        name
+        for section in sections
+        for member in MEMBERS.values()
+        for name in member[section]
+    ]
+    return "|".join(dict.fromkeys(names)) or "(?!)"
+
+
 wildcard_constraints:
     study="[a-z][a-z0-9_]*",
     root=r"(studies/[a-z][a-z0-9_]*/[a-z][a-z0-9_]*/)?",
-    case="|".join(
-        dict.fromkeys(case for member in MEMBERS.values() for case in member["cases"])
-    ),
+    case=one_of("cases", "oscillators"),
     q=r"\d{3}",
     sweep="mesh_frequency|ste|backlash",
     map="ste|backlash|temperature|wear",
@@ -122,11 +131,17 @@ def reference(stage):
     return pristine
 
 
+def studied():
+    """The given oscillators, or else the cases of the gear pair."""
+    return config["oscillators"] or config["cases"]
+
+
 def states():
-    """The dynamic response of every case at every wear cycle."""
+    """The dynamic response of every case at every wear cycle; a given oscillator has none."""
     return [
         f"results/{case}/response/q{q:03d}.nc"
-        for case in config["cases"]
+        for case in studied()
+        if case in config["cases"]
         for q in range(int(last(case)) + 1)
     ]
 
@@ -137,4 +152,10 @@ def swept_cases():
         (case, sweep)
         for sweep in ("mesh_frequency", "ste", "backlash")
         for case in config["sweeps"][sweep]["cases"]
+        if case in studied()
     ]
+
+
+def swept_in(sweep):
+    """The cases of one sweep."""
+    return [case for case, name in swept_cases() if name == sweep]

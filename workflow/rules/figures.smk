@@ -1,5 +1,7 @@
 from importlib.metadata import version
 
+from gearwear.plumbing.consistency import DRAWN_PORTRAITS
+
 PACKAGES = (
     "matplotlib",
     "netCDF4",
@@ -15,21 +17,52 @@ TABLE = str(Path(workflow.basedir) / "workflow" / "report" / "table.html.j2")
 CLAIMS = str(Path(workflow.basedir) / "config" / "paper_claims.yaml")
 
 
+DIAGRAMS = {"mesh_frequency": 12, "ste": 15, "backlash": 17}
+
+
 def figures():
-    """The figures of the paper, numbers 6 to 18."""
-    return expand(
-        "results/figures/fig{number}.svg", number=[f"{n:02d}" for n in range(6, 19)]
-    )
+    """The figures of the paper, numbers 6 to 18; of given oscillators its diagrams alone."""
+    numbers = range(6, 19)
+    if config["oscillators"]:
+        numbers = [number for sweep, number in DIAGRAMS.items() if swept_in(sweep)]
+    return [f"results/figures/fig{number:02d}.svg" for number in numbers]
+
+
+def listed(values_of, drawn=()):
+    """Case and sweep of the studied cases that a section lists values for, but those already drawn."""
+    return [
+        (case, sweep)
+        for sweep, cases in values_of.items()
+        for case, values in cases.items()
+        if values and case in studied() and (sweep, case) not in drawn
+    ]
+
+
+def portrait_figures():
+    """The phase portraits that the figures of the paper do not show."""
+    return [
+        f"results/figures/portraits_{case}_{sweep}.svg"
+        for case, sweep in listed(config["portraits"], DRAWN_PORTRAITS)
+    ]
 
 
 def basin_figures():
     """The basins of every case and sweep that the configuration lists values for."""
     return [
         f"results/figures/basins_{case}_{sweep}.svg"
-        for sweep, cases in config["basins"]["points"].items()
-        for case, values in cases.items()
-        if values
+        for case, sweep in listed(config["basins"]["points"])
     ]
+
+
+def scorecard():
+    """The claims of the paper, where the pair is that of the paper."""
+    judged = config["figures"]["claims"] and not config["oscillators"]
+    return ["results/claims.csv", "results/claims.html"] if judged else []
+
+
+def paper_windows():
+    """The file that names the windows of motion of the paper, where they are drawn."""
+    return [CLAIMS] if scorecard() else []
 
 
 def diagonal(pattern):
@@ -74,7 +107,9 @@ def main_sweeps():
 
 
 def drawn_state(case):
-    """Name, temperature and cycles of a case: plain values for legends."""
+    """Name, temperature and cycles of a case: plain values for legends. A given oscillator has its name."""
+    if case in config["oscillators"]:
+        return {"case": case}
     return {"case": case, "cycle": int(last(case)), **config["cases"][case]}
 
 
@@ -92,8 +127,8 @@ def swept(sweep):
     }
 
 
-def drawn_basins(wildcards):
-    """What the figure of basins says of its sweep and case."""
+def drawn_case(wildcards):
+    """What a figure of one case and sweep says of both."""
     return {
         "sweep": wildcards.sweep,
         "swept": swept(wildcards.sweep),
@@ -367,21 +402,21 @@ rule plot_frequency_sweep:
     input:
         restart=[
             f"results/{case}/sweeps/restart/mesh_frequency.nc"
-            for case in config["sweeps"]["mesh_frequency"]["cases"]
+            for case in swept_in("mesh_frequency")
         ],
         up=[
             f"results/{case}/sweeps/up/mesh_frequency.nc"
-            for case in config["sweeps"]["mesh_frequency"]["cases"]
+            for case in swept_in("mesh_frequency")
         ],
         down=[
             f"results/{case}/sweeps/down/mesh_frequency.nc"
-            for case in config["sweeps"]["mesh_frequency"]["cases"]
+            for case in swept_in("mesh_frequency")
         ],
         branches=[
             f"results/{case}/branches/mesh_frequency.nc"
-            for case in config["sweeps"]["mesh_frequency"]["cases"]
+            for case in swept_in("mesh_frequency")
         ],
-        claims=CLAIMS,
+        claims=paper_windows(),
         style=STYLE,
     output:
         svg=report(
@@ -400,10 +435,7 @@ rule plot_frequency_sweep:
             "sweep": "mesh_frequency",
             "order": config["sweeps"]["order"],
             "swept": swept("mesh_frequency"),
-            "states": [
-                drawn_state(case)
-                for case in config["sweeps"]["mesh_frequency"]["cases"]
-            ],
+            "states": [drawn_state(case) for case in swept_in("mesh_frequency")],
         },
         code=code("plot_bifurcation.py"),
     message:
@@ -474,23 +506,11 @@ rule plot_portraits_hot:
 
 rule plot_ste_sweep:
     input:
-        restart=[
-            f"results/{case}/sweeps/restart/ste.nc"
-            for case in config["sweeps"]["ste"]["cases"]
-        ],
-        up=[
-            f"results/{case}/sweeps/up/ste.nc"
-            for case in config["sweeps"]["ste"]["cases"]
-        ],
-        down=[
-            f"results/{case}/sweeps/down/ste.nc"
-            for case in config["sweeps"]["ste"]["cases"]
-        ],
-        branches=[
-            f"results/{case}/branches/ste.nc"
-            for case in config["sweeps"]["ste"]["cases"]
-        ],
-        claims=CLAIMS,
+        restart=[f"results/{case}/sweeps/restart/ste.nc" for case in swept_in("ste")],
+        up=[f"results/{case}/sweeps/up/ste.nc" for case in swept_in("ste")],
+        down=[f"results/{case}/sweeps/down/ste.nc" for case in swept_in("ste")],
+        branches=[f"results/{case}/branches/ste.nc" for case in swept_in("ste")],
+        claims=paper_windows(),
         style=STYLE,
     output:
         svg=report(
@@ -509,7 +529,7 @@ rule plot_ste_sweep:
             "sweep": "ste",
             "order": config["sweeps"]["order"],
             "swept": swept("ste"),
-            "states": [drawn_state(case) for case in config["sweeps"]["ste"]["cases"]],
+            "states": [drawn_state(case) for case in swept_in("ste")],
         },
         code=code("plot_bifurcation.py"),
     message:
@@ -547,21 +567,16 @@ rule plot_backlash_sweep:
     input:
         restart=[
             f"results/{case}/sweeps/restart/backlash.nc"
-            for case in config["sweeps"]["backlash"]["cases"]
+            for case in swept_in("backlash")
         ],
-        up=[
-            f"results/{case}/sweeps/up/backlash.nc"
-            for case in config["sweeps"]["backlash"]["cases"]
-        ],
+        up=[f"results/{case}/sweeps/up/backlash.nc" for case in swept_in("backlash")],
         down=[
-            f"results/{case}/sweeps/down/backlash.nc"
-            for case in config["sweeps"]["backlash"]["cases"]
+            f"results/{case}/sweeps/down/backlash.nc" for case in swept_in("backlash")
         ],
         branches=[
-            f"results/{case}/branches/backlash.nc"
-            for case in config["sweeps"]["backlash"]["cases"]
+            f"results/{case}/branches/backlash.nc" for case in swept_in("backlash")
         ],
-        claims=CLAIMS,
+        claims=paper_windows(),
         style=STYLE,
     output:
         svg=report(
@@ -580,9 +595,7 @@ rule plot_backlash_sweep:
             "sweep": "backlash",
             "order": config["sweeps"]["order"],
             "swept": swept("backlash"),
-            "states": [
-                drawn_state(case) for case in config["sweeps"]["backlash"]["cases"]
-            ],
+            "states": [drawn_state(case) for case in swept_in("backlash")],
         },
         code=code("plot_bifurcation.py"),
     message:
@@ -620,6 +633,31 @@ rule plot_portraits_backlash:
         "../scripts/plot_portraits.py"
 
 
+rule plot_portraits:
+    input:
+        portraits="results/{case}/portraits/{sweep}.nc",
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/portraits_{case}_{sweep}.svg",
+            caption=caption("portraits"),
+            category="Dynamics",
+            labels={"figure": "portraits of {case} over {sweep}"},
+        ),
+        png="results/figures/portraits_{case}_{sweep}.png",
+    log:
+        "results/logs/plot_portraits/{case}_{sweep}.log",
+    benchmark:
+        "results/benchmarks/plot_portraits/{case}_{sweep}.tsv"
+    params:
+        cfg=drawn_case,
+        code=code("plot_portraits.py"),
+    message:
+        "Phase portraits, case {wildcards.case}, over {wildcards.sweep}."
+    script:
+        "../scripts/plot_portraits.py"
+
+
 rule plot_basins:
     input:
         basins="results/{case}/basins/{sweep}.nc",
@@ -637,7 +675,7 @@ rule plot_basins:
     benchmark:
         "results/benchmarks/plot_basins/{case}_{sweep}.tsv"
     params:
-        cfg=drawn_basins,
+        cfg=drawn_case,
         code=code("plot_basins.py"),
     message:
         "Basins of attraction, case {wildcards.case}, over {wildcards.sweep}."

@@ -23,12 +23,7 @@ def ensemble_onsets():
 
 rule locate_onsets:
     input:
-        geometry="results/{root}geometry.nc",
-        mesh_stiffness=final("mesh_stiffness"),
-        transmission_error=final("transmission_error"),
-        backlash=final("backlash"),
-        reference_stiffness=reference("mesh_stiffness"),
-        reference_error=reference("transmission_error"),
+        excitation="results/{root}{case}/excitation.nc",
         sweep=main_sweep("mesh_frequency"),
         branches="results/{root}{case}/branches/mesh_frequency.nc",
     output:
@@ -48,12 +43,7 @@ rule locate_onsets:
 
 rule vary_onsets:
     input:
-        geometry="results/{root}geometry.nc",
-        mesh_stiffness=final("mesh_stiffness"),
-        transmission_error=final("transmission_error"),
-        backlash=final("backlash"),
-        reference_stiffness=reference("mesh_stiffness"),
-        reference_error=reference("transmission_error"),
+        excitation="results/{root}{case}/excitation.nc",
         sweeps=expand(
             "results/{{root}}{{case}}/sweeps/{order}/mesh_frequency.nc",
             order=("restart", "up", "down"),

@@ -1,4 +1,4 @@
-rule sweep_part:
+rule build_excitation:
     input:
         geometry="results/{root}geometry.nc",
         mesh_stiffness=final("mesh_stiffness"),
@@ -6,6 +6,44 @@ rule sweep_part:
         backlash=final("backlash"),
         reference_stiffness=reference("mesh_stiffness"),
         reference_error=reference("transmission_error"),
+    output:
+        "results/{root}{case}/excitation.nc",
+    log:
+        "results/logs/{root}{case}/build_excitation.log",
+    benchmark:
+        "results/benchmarks/{root}{case}/build_excitation.tsv"
+    wildcard_constraints:
+        case=one_of("cases"),
+    params:
+        cfg=cfg("excitation"),
+        code=code("build_excitation.py"),
+    message:
+        "Case {wildcards.root}{wildcards.case}: building the excitation of the oscillator."
+    script:
+        "../scripts/build_excitation.py"
+
+
+rule give_excitation:
+    output:
+        "results/{root}{case}/excitation.nc",
+    log:
+        "results/logs/{root}{case}/give_excitation.log",
+    benchmark:
+        "results/benchmarks/{root}{case}/give_excitation.tsv"
+    wildcard_constraints:
+        case=one_of("oscillators"),
+    params:
+        cfg=cfg("given_excitation"),
+        code=code("give_excitation.py"),
+    message:
+        "Oscillator {wildcards.root}{wildcards.case}: taking the excitation from the configuration."
+    script:
+        "../scripts/give_excitation.py"
+
+
+rule sweep_part:
+    input:
+        excitation="results/{root}{case}/excitation.nc",
     output:
         "results/{root}{case}/sweeps/parts/{sweep}/{scatteritem}.nc",
     log:
@@ -43,12 +81,7 @@ rule join_sweep:
 
 rule carry_sweep:
     input:
-        geometry="results/{root}geometry.nc",
-        mesh_stiffness=final("mesh_stiffness"),
-        transmission_error=final("transmission_error"),
-        backlash=final("backlash"),
-        reference_stiffness=reference("mesh_stiffness"),
-        reference_error=reference("transmission_error"),
+        excitation="results/{root}{case}/excitation.nc",
     output:
         "results/{root}{case}/sweeps/{order}/{sweep}.nc",
     log:
@@ -68,12 +101,7 @@ rule carry_sweep:
 
 rule continue_orbits:
     input:
-        geometry="results/{root}geometry.nc",
-        mesh_stiffness=final("mesh_stiffness"),
-        transmission_error=final("transmission_error"),
-        backlash=final("backlash"),
-        reference_stiffness=reference("mesh_stiffness"),
-        reference_error=reference("transmission_error"),
+        excitation="results/{root}{case}/excitation.nc",
         sweeps=expand(
             "results/{{root}}{{case}}/sweeps/{order}/{{sweep}}.nc",
             order=("restart", "up", "down"),
@@ -95,12 +123,7 @@ rule continue_orbits:
 
 rule trace_portraits:
     input:
-        geometry="results/{root}geometry.nc",
-        mesh_stiffness=final("mesh_stiffness"),
-        transmission_error=final("transmission_error"),
-        backlash=final("backlash"),
-        reference_stiffness=reference("mesh_stiffness"),
-        reference_error=reference("transmission_error"),
+        excitation="results/{root}{case}/excitation.nc",
     output:
         "results/{root}{case}/portraits/{sweep}.nc",
     log:
@@ -118,12 +141,7 @@ rule trace_portraits:
 
 rule map_basins:
     input:
-        geometry="results/{root}geometry.nc",
-        mesh_stiffness=final("mesh_stiffness"),
-        transmission_error=final("transmission_error"),
-        backlash=final("backlash"),
-        reference_stiffness=reference("mesh_stiffness"),
-        reference_error=reference("transmission_error"),
+        excitation="results/{root}{case}/excitation.nc",
     output:
         "results/{root}{case}/basins/{sweep}.nc",
     log:

@@ -8,7 +8,8 @@ import xarray as xr
 from gearwear.attractors.chain import carried
 from gearwear.attractors.record import columns
 from gearwear.attractors.settling import Settling
-from gearwear.dynamics.excitation import excitation, rest_state, swept_oscillator
+from gearwear.dynamics.excitation import rest_state, swept_oscillator
+from gearwear.dynamics.excitation_record import recorded
 from gearwear.plumbing import stage, store
 
 if TYPE_CHECKING:
@@ -16,10 +17,9 @@ if TYPE_CHECKING:
 
 
 def main(job):
-    cfg, geometry, sweep = job.params.cfg, store.load(job.input.geometry), job.wildcards.sweep
+    cfg, sweep = job.params.cfg, job.wildcards.sweep
     dynamics, swept = cfg["dynamics"], cfg["sweeps"][sweep]
-    state, reference = store.mesh_states(job.input)
-    source = excitation(geometry, state, reference, cfg["operation"]["pinion_torque"], dynamics)
+    source = recorded(store.load(job.input.excitation))
     values = np.linspace(swept["first"], swept["last"], swept["points"])
     along = slice(None, None, -1 if job.wildcards.order == "down" else 1)
     oscillators = (swept_oscillator(source, sweep, float(value), dynamics, swept) for value in values[along])

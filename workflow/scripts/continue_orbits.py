@@ -4,7 +4,8 @@ from typing import TYPE_CHECKING
 
 import xarray as xr
 
-from gearwear.dynamics.excitation import excitation, swept_oscillator
+from gearwear.dynamics.excitation import swept_oscillator
+from gearwear.dynamics.excitation_record import recorded
 from gearwear.orbits.branches import explore
 from gearwear.orbits.continuation import Limits
 from gearwear.orbits.record import columns
@@ -17,10 +18,9 @@ if TYPE_CHECKING:
 
 
 def main(job):
-    cfg, geometry, sweep = job.params.cfg, store.load(job.input.geometry), job.wildcards.sweep
+    cfg, sweep = job.params.cfg, job.wildcards.sweep
     dynamics, swept, branching = cfg["dynamics"], cfg["sweeps"][sweep], cfg["branches"]
-    state, reference = store.mesh_states(job.input)
-    source = excitation(geometry, state, reference, cfg["operation"]["pinion_torque"], dynamics)
+    source = recorded(store.load(job.input.excitation))
 
     def oscillator_at(value):
         return swept_oscillator(source, sweep, value, dynamics, swept)

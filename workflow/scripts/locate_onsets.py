@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import xarray as xr
 
 from gearwear.attractors.settling import Settling
-from gearwear.dynamics.excitation import excitation
+from gearwear.dynamics.excitation_record import recorded
 from gearwear.onsets import route
 from gearwear.onsets.codes import EVENTS
 from gearwear.onsets.record import columns
@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
 
 def main(job):
-    cfg, geometry = job.params.cfg, store.load(job.input.geometry)
+    cfg = job.params.cfg
     dynamics = cfg["dynamics"]
-    source = excitation(geometry, *store.mesh_states(job.input), cfg["operation"]["pinion_torque"], dynamics)
+    source = recorded(store.load(job.input.excitation))
     state = route.State(source, dynamics, Settling(**cfg["settling"]), store.load(job.input.branches))
     events = route.along(state, store.load(job.input.sweep), cfg["sweeps"]["order"], cfg["onsets"]["refinement"])
     for name, event in zip(EVENTS, events, strict=True):

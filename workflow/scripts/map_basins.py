@@ -8,7 +8,8 @@ import xarray as xr
 from gearwear.attractors.basin_record import basin_columns
 from gearwear.attractors.basins import basins, cell_centres
 from gearwear.attractors.settling import Settling
-from gearwear.dynamics.excitation import excitation, swept_oscillator
+from gearwear.dynamics.excitation import swept_oscillator
+from gearwear.dynamics.excitation_record import recorded
 from gearwear.plumbing import stage, store
 
 if TYPE_CHECKING:
@@ -16,10 +17,9 @@ if TYPE_CHECKING:
 
 
 def main(job):
-    cfg, geometry, sweep = job.params.cfg, store.load(job.input.geometry), job.wildcards.sweep
+    cfg, sweep = job.params.cfg, job.wildcards.sweep
     dynamics, swept, wanted = cfg["dynamics"], cfg["sweeps"][sweep], cfg["basins"]
-    state, reference = store.mesh_states(job.input)
-    source = excitation(geometry, state, reference, cfg["operation"]["pinion_torque"], dynamics)
+    source = recorded(store.load(job.input.excitation))
     case = job.wildcards.case
     values = np.array(wanted["points"][sweep][case])
     if not values.size:

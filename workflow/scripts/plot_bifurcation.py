@@ -26,7 +26,7 @@ def windows(claims, sweep, case):
 
 def main(job):
     cfg = job.params.cfg
-    claims = yaml.safe_load(Path(job.input.claims).read_text())["claims"]
+    claims = [claim for path in job.input.claims for claim in yaml.safe_load(Path(path).read_text())["claims"]]
     files = (job.input[order] for order in ORDERS)
     sweeps = [dict(zip(ORDERS, map(store.load, paths), strict=True)) for paths in zip(*files, strict=True)]
     orbits = [store.load(path) for path in job.input.branches]

@@ -7,7 +7,8 @@ import xarray as xr
 
 from gearwear.attractors.record import columns
 from gearwear.attractors.settling import Settling, settle_many
-from gearwear.dynamics.excitation import excitation, rest_state, swept_oscillator
+from gearwear.dynamics.excitation import rest_state, swept_oscillator
+from gearwear.dynamics.excitation_record import recorded
 from gearwear.dynamics.parts import indices
 from gearwear.plumbing import stage, store
 
@@ -16,10 +17,9 @@ if TYPE_CHECKING:
 
 
 def main(job):
-    cfg, geometry, sweep = job.params.cfg, store.load(job.input.geometry), job.wildcards.sweep
+    cfg, sweep = job.params.cfg, job.wildcards.sweep
     dynamics, swept = cfg["dynamics"], cfg["sweeps"][sweep]
-    state, reference = store.mesh_states(job.input)
-    source = excitation(geometry, state, reference, cfg["operation"]["pinion_torque"], dynamics)
+    source = recorded(store.load(job.input.excitation))
     values = np.linspace(swept["first"], swept["last"], swept["points"])
     own = indices(swept["points"], job.wildcards.scatteritem)
     settling = Settling(**cfg["settling"])

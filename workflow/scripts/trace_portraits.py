@@ -7,7 +7,8 @@ import xarray as xr
 
 from gearwear.attractors.record import columns, end_of
 from gearwear.attractors.settling import Settling, settle
-from gearwear.dynamics.excitation import excitation, rest_state, swept_oscillator
+from gearwear.dynamics.excitation import rest_state, swept_oscillator
+from gearwear.dynamics.excitation_record import recorded
 from gearwear.dynamics.motion import trace
 from gearwear.plumbing import stage, store
 
@@ -19,10 +20,9 @@ LONGEST = 80  # mesh periods of an orbit that does not repeat
 
 
 def main(job):
-    cfg, geometry, sweep = job.params.cfg, store.load(job.input.geometry), job.wildcards.sweep
+    cfg, sweep = job.params.cfg, job.wildcards.sweep
     dynamics, swept = cfg["dynamics"], cfg["sweeps"][sweep]
-    state, reference = store.mesh_states(job.input)
-    source = excitation(geometry, state, reference, cfg["operation"]["pinion_torque"], dynamics)
+    source = recorded(store.load(job.input.excitation))
     values = np.array(cfg["portraits"][sweep][job.wildcards.case])
     settling = Settling(**cfg["settling"])
     phases = np.arange(STEPS) / STEPS

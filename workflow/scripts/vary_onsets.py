@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from gearwear.attractors.settling import Settling
-from gearwear.dynamics.excitation import excitation
+from gearwear.dynamics.excitation_record import recorded
 from gearwear.onsets import route
 from gearwear.onsets.codes import ORDERS, VARIANTS
 from gearwear.onsets.record import columns
@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
 
 def main(job):
-    cfg, geometry = job.params.cfg, store.load(job.input.geometry)
+    cfg = job.params.cfg
     dynamics, refinement = cfg["dynamics"], cfg["onsets"]["refinement"]
-    source = excitation(geometry, *store.mesh_states(job.input), cfg["operation"]["pinion_torque"], dynamics)
+    source = recorded(store.load(job.input.excitation))
     state = route.State(source, dynamics, Settling(**cfg["settling"]), store.load(job.input.branches))
     sweeps = {order: store.load(path) for order, path in zip(ORDERS, job.input.sweeps, strict=True)}
     ways = {order: route.along(state, sweeps[order], order, refinement) for order in ORDERS}

@@ -10,7 +10,7 @@ import yaml
 from gearwear.plumbing.slices import STAGES, slice_of
 
 ROOT = Path(__file__).resolve().parents[3]
-SWEPT = ("sweep", "branches", "portraits", "basins")
+BY_NAME = ("sweep", "branches", "portraits", "basins", "given_excitation")
 CHAIN = (
     "temperature",
     "deformation",
@@ -19,6 +19,7 @@ CHAIN = (
     "backlash",
     "response",
     "advance_wear",
+    "excitation",
     "sweep",
     "onsets",
 )
@@ -28,7 +29,8 @@ MAPS = {"map_ste", "map_backlash", "map_temperature", "map_wear"}
 
 @pytest.fixture
 def config():
-    return yaml.safe_load((ROOT / "config" / "config.yaml").read_text())
+    config = yaml.safe_load((ROOT / "config" / "config.yaml").read_text())
+    return config | {"oscillators": {name: {"mean_force": 0.1} for name in config["cases"]}}
 
 
 def cut(config, stage, case="with", sweep="backlash"):
@@ -81,18 +83,7 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("elasticity.law", {"temperature", "advance_wear", "mesh_stiffness"}),
         (
             "operation.pinion_torque",
-            {
-                "temperature",
-                "transmission_error",
-                "advance_wear",
-                "response",
-                "sweep",
-                "branches",
-                "onsets",
-                "portraits",
-            }
-            | MAPS
-            | {"basins"},
+            {"temperature", "transmission_error", "advance_wear", "response", "excitation"} | MAPS,
         ),
         ("operation.pinion_speed", {"temperature", "advance_wear", "response"}),
         ("lubricant.composite_roughness", {"temperature", "advance_wear"}),
@@ -103,7 +94,11 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("transmission_error.mode", {"transmission_error"}),
         ("backlash.half_backlash", {"backlash"}),
         ("wear.cycles_per_update", {"advance_wear"}),
+        ("dynamics.clearance", {"response", "excitation"} | MAPS),
+        ("dynamics.start.at", {"response", "sweep", "onsets", "portraits"} | MAPS),
         ("dynamics.damping_ratio", {"response", "sweep", "branches", "onsets", "portraits", "basins"} | MAPS),
+        ("oscillators.with.mean_force", {"given_excitation"}),
+        ("oscillators.without.mean_force", set()),
         ("settling.largest_period", {"response", "sweep", "onsets", "portraits", "basins"} | MAPS),
         ("cases.with.bulk_temperature", {"temperature", "deformation", "advance_wear", "mesh_stiffness"}),
         ("cases.with.flash", {"temperature"}),
@@ -182,7 +177,7 @@ def test_the_measures_see_no_other_sweep_and_no_other_case(config):
     assert set(cut(config, "measures")["cases"]) == {"without", "with", "temperature_only"}
 
 
-@pytest.mark.parametrize("stage", [stage for stage in STAGES if stage not in SWEPT])
+@pytest.mark.parametrize("stage", [stage for stage in STAGES if stage not in BY_NAME])
 def test_stages_of_the_wear_chain_do_not_know_the_case_by_name(config, stage):
     config["cases"]["twin"] = dict(config["cases"]["with"])
     assert cut(config, stage, "twin") == cut(config, stage, "with")
@@ -214,5 +209,5 @@ def test_every_key_of_the_physics_reaches_a_stage(config):
                 }
     only_targets = {("cases", case, "running_cycles") for case in config["cases"] if case not in ("without", "with")}
     only_targets |= {("sweeps", sweep, "cases") for sweep in config["portraits"]}
-    only_targets |= {("figures", "diagonal"), ("maps", "case"), ("calibration", "islands")}
+    only_targets |= {("figures", "diagonal"), ("figures", "claims"), ("maps", "case"), ("calibration", "islands")}
     assert set(leaves(config)) - reached == only_targets

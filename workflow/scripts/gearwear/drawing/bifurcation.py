@@ -66,7 +66,7 @@ def draw(
         values = dataset[cfg["sweep"]].values
         for axes in (strip, section, exponent):
             axes.set_xlim(values[0], values[-1])
-        rows = {"paper": windows} | _classes(values, by_order, cfg["order"])
+        rows = ({"paper": windows} if windows else {}) | _classes(values, by_order, cfg["order"])
         names |= {name for zones in rows.values() for *_, name in zones}
         _draw_classes(strip, rows)
         doubts = values[dataset["conflict"].values != CONFLICTS["none"]]

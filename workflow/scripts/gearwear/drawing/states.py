@@ -31,7 +31,7 @@ def in_words(state: dict[str, Any]) -> str:
 
 def case(state: dict[str, Any]) -> str:
     """Return a title that names the case and its state."""
-    return f"Case “{state['case']}”: {name(state)}"
+    return f"Case “{state['case']}”: {name(state) if 'bulk_temperature' in state else 'given by its equation'}"
 
 
 def temperature(state: dict[str, Any]) -> str:

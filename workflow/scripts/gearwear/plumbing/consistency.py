@@ -15,6 +15,7 @@ from typing import Any
 
 from gearwear.plumbing.grids import MOST_COMBINATIONS
 from gearwear.plumbing.key_types import CASE_NAME, SWEEPS
+from gearwear.plumbing.oscillator_sections import unlike_waves
 from gearwear.plumbing.study_sections import MOST_CYCLES
 from gearwear.plumbing.wording import dotted, figure, listed, shown
 from gearwear.sensitivity.parameters import out_of_order
@@ -45,6 +46,7 @@ def disagreements(values: dict[str, Any]) -> Iterator[Problem]:
     yield from _unloaded_error(values)
     yield from _resolution(values)
     yield from _torque(values)
+    yield from _oscillators(values)
     if isinstance(_at(values, "cases"), dict):
         yield from _case_names(values)
         yield from _updates(values)
@@ -157,6 +159,18 @@ def _torque(values: dict[str, Any]) -> Iterator[Problem]:
         )
 
 
+def _oscillators(values: dict[str, Any]) -> Iterator[Problem]:
+    given, swept = _at(values, "oscillators") or {}, [_at(values, f"sweeps.{sweep}.cases") for sweep in SWEEPS]
+    for name, oscillator in given.items():
+        path = ("oscillators", name)
+        yield from _folder(path, name, "not a name of an oscillator")
+        if name in (_at(values, "cases") or {}):
+            yield path, "the name is that of a case; choose another"
+        if None not in swept and not any(name in cases for cases in swept):
+            yield path, "swept nowhere; add it to sweeps.mesh_frequency.cases"
+        yield from ((path + below, text) for below, text in unlike_waves(oscillator))
+
+
 def _maps(values: dict[str, Any]) -> Iterator[Problem]:
     for axis in ("mesh_frequency", "ste", "backlash"):
         ends = _pair(values, f"maps.{axis}.first", f"maps.{axis}.last")
@@ -178,13 +192,7 @@ def _maps(values: dict[str, Any]) -> Iterator[Problem]:
 
 def _case_names(values: dict[str, Any]) -> Iterator[Problem]:
     for name in values["cases"]:
-        if not _names_a_folder(name):
-            yield ("cases", name), f"not a case name; {_FOLDER_NAME}"
-        elif name in RESERVED_NAMES:
-            yield (
-                ("cases", name),
-                f"the name is taken by a folder of the results; use none of {listed(list(RESERVED_NAMES))}",
-            )
+        yield from _folder(("cases", name), name, "not a case name")
     for name in REQUIRED_CASES:
         if name not in values["cases"]:
             yield ("cases", name), "missing case; figures and claims read it, so give it its three keys"
@@ -231,6 +239,13 @@ def _dotted_keys(values: dict[str, Any], before: str = "") -> list[str]:
     return found
 
 
+def _folder(path: tuple[str, ...], name: str, refusal: str) -> Iterator[Problem]:
+    if not _names_a_folder(name):
+        yield path, f"{refusal}; {_FOLDER_NAME}"
+    elif name in RESERVED_NAMES:
+        yield path, f"the name is taken by a folder of the results; use none of {listed(list(RESERVED_NAMES))}"
+
+
 def _names_a_folder(name: str) -> bool:
     return bool(re.fullmatch(CASE_NAME, name)) and len(name) <= _LONGEST_NAME
 
@@ -274,15 +289,16 @@ def _case_lists(values: dict[str, Any]) -> Iterator[Problem]:
     lists = {("sweeps", sweep, "cases"): _at(values, f"sweeps.{sweep}.cases") for sweep in SWEEPS}
     lists[("figures", "diagonal")] = _at(values, "figures.diagonal")
     for path, names in lists.items():
+        known = values["cases"] if path[0] == "figures" else _known(values)
         for position, name in enumerate(names or []):
-            if name not in values["cases"]:
-                yield (*path, f"[{position}]"), _no_such_case(name, values["cases"])
+            if name not in known:
+                yield (*path, f"[{position}]"), _no_such_case(name, known)
             elif name in names[:position]:
                 yield (*path, f"[{position}]"), f"case {dotted((name,))} is listed twice; take one out"
 
 
 def _portraits(values: dict[str, Any]) -> Iterator[Problem]:
-    for sweep, case in DRAWN_PORTRAITS:
+    for sweep, case in () if _at(values, "oscillators") else DRAWN_PORTRAITS:
         drawn = _at(values, f"portraits.{sweep}")
         if drawn is not None and not drawn.get(case):
             yield ("portraits", sweep, case), "figures 13 to 18 draw this case; give a list with at least one value"
@@ -302,13 +318,15 @@ def _basins(values: dict[str, Any]) -> Iterator[Problem]:
 
 def _chosen_values(values: dict[str, Any], section: str) -> Iterator[Problem]:
     """Problems of the values of sweeps that a section lists by sweep and case."""
-    cases = _at(values, "cases")
+    cases, given = _at(values, "cases"), _at(values, "oscillators")
     for sweep in SWEEPS:
         for name, drawn in (_at(values, f"{section}.{sweep}") or {}).items():
             path = (*section.split("."), sweep, name)
             swept = _at(values, f"sweeps.{sweep}.cases") if section == "portraits" else None
-            if isinstance(cases, dict) and name not in cases:
-                yield path, _no_such_case(name, cases)
+            if isinstance(cases, dict) and name not in _known(values):
+                yield path, _no_such_case(name, _known(values))
+            elif given and name not in given:
+                continue
             elif drawn and swept is not None and name not in swept:
                 yield path, f"the case is not swept; add it to sweeps.{sweep}.cases or leave its list empty"
             ends = _pair(values, f"sweeps.{sweep}.first", f"sweeps.{sweep}.last")
@@ -322,6 +340,10 @@ def _chosen_values(values: dict[str, Any], section: str) -> Iterator[Problem]:
                     )
                 if value in drawn[:position]:
                     yield entry, f"{value} is listed twice; take one out"
+
+
+def _known(values: dict[str, Any]) -> dict[str, Any]:
+    return values["cases"] | (_at(values, "oscillators") or {})
 
 
 def _no_such_case(name: str, cases: dict[str, Any]) -> str:

@@ -31,6 +31,7 @@ class Field(NamedTuple):
 _SCALAR, _GEAR = ((),), (("gear",),)
 _PATH, _BOTH = (("path",),), (("gear", "path"),)
 _ROW, _COLUMN, _PLANE = (("row",),), (("column",),), (("row", "column"),)
+_HARMONIC, _CELL = (("harmonic",),), (("cell",),)
 _PHASE, _POINT = (("mesh_phase",),), (("point",), ())
 _MEMBER, _EVENT, _MEMBERS = (("member",),), (("event",),), (("member", "event"),)
 _EVENTS = _EVENT + (("variant", "event"), ("case", "event"))
@@ -180,6 +181,18 @@ FIELDS: dict[str, Field] = {
     "relative_mean_error": Field(
         "1", "mean transmission error over that of the reference case, if this has one", _SCALAR + _STATE, None, True
     ),
+    # excitation
+    "reference_error_amplitude": Field("1", "error amplitude that belongs to a relative mean error of 1", _SCALAR),
+    "stiffest_phase": Field("1", "mesh phase at which the first harmonic of the stiffness is largest", _SCALAR),
+    "error_shape_amplitude": Field("1", "amplitude of the error excitation over error_amplitude", _HARMONIC),
+    "error_shape_phase": Field("rad", "phase of the error excitation, zero at pair entry", _HARMONIC),
+    "clearance_amplitude": Field("1", "amplitude of the half clearance over initial half backlash", _HARMONIC),
+    "clearance_phase": Field("rad", "phase of the half clearance, zero at pair entry", _HARMONIC),
+    "cell_edge": Field("1", "mesh phase where a cell of the tables begins or ends", (("cell_edge",),)),
+    "stiffness_at_cell_start": Field("1", "stiffness over its mean at the start of the cell", _CELL),
+    "stiffness_at_cell_end": Field("1", "stiffness over its mean at the end of the cell", _CELL),
+    "error_shape_at_cell_start": Field("1", "error excitation over error_amplitude at the start of the cell", _CELL),
+    "error_shape_at_cell_end": Field("1", "error excitation over error_amplitude at the end of the cell", _CELL),
     # sweeps, portraits and basins
     "mesh_frequency": Field("1", "mesh frequency over natural frequency", _POINT + _NODE + _COLUMN),
     "ste": Field("1", "mean static transmission error over that of the reference case", _POINT + _NODE + _ROW),
@@ -280,7 +293,7 @@ FIELDS: dict[str, Field] = {
     "member_remark_with": Field("", "the same in words", _MEMBERS),
     # sensitivity of the model
     "case": Field("", "state of temperature and wear", (("case",),)),
-    "mean_stiffness": Field("N m-1", "mean mesh stiffness in the equation of motion", _STATE, None, True),
+    "mean_stiffness": Field("N m-1", "mean mesh stiffness in the equation of motion", _SCALAR + _STATE, None, True),
     "stiffness_ripple": Field("1", "first harmonic of the mesh stiffness over its mean", _STATE, None, True),
     "mean_half_backlash": Field("m", "half clearance, mean over the mesh", _STATE, None, True),
     "deepest_wear": Field("m", "largest wear depth of the flank", (("case", "gear"), ("gear",)), None, True),

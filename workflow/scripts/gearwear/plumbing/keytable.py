@@ -34,8 +34,8 @@ study write an overlay with only the keys that differ and name it after the firs
 
     snakemake -j2 all --configfile config/config.yaml my_study.yaml
 
-Sections are merged key by key, lists are replaced; `smoke.yaml` is such an overlay. Units are SI except
-rpm, deg and degC; numbers may be written `1.0e-8` or `1e-8`. Every start checks the whole
+Sections are merged key by key, lists are replaced; `smoke.yaml` and the files in `presets/` are such overlays. Units
+are SI except rpm, deg and degC; numbers may be written `1.0e-8` or `1e-8`. Every start checks the whole
 configuration and lists all its problems in one message, each with its key, its value and what is
 allowed. The column "re-runs" names the stages that read a key; stages that use their results follow.
 

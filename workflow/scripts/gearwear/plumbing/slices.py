@@ -13,6 +13,8 @@ from gearwear.plumbing.calibration_sections import Calibration
 from gearwear.plumbing.key_types import SWEEPS
 
 _EXCITED = ("dynamics", "settling", "operation.pinion_torque")
+_OSCILLATOR = ("dynamics.damping_ratio", "dynamics.torque_fluctuation", "dynamics.tolerance")
+_MOVED = (*_OSCILLATOR, "dynamics.start", "settling")
 _WHOLE_CHAIN = (
     "gear_pair",
     "grid",
@@ -71,13 +73,21 @@ STAGES: dict[str, tuple[str, ...]] = {
     "transmission_error": ("transmission_error", "operation.pinion_torque"),
     "backlash": ("backlash",),
     "response": (*_EXCITED, "operation.pinion_speed"),
-    "sweep": (*_EXCITED, "sweeps.{sweep}"),
-    "branches": ("dynamics", "operation.pinion_torque", "sweeps.{sweep}", "branches"),
+    "excitation": (
+        "dynamics.stiffness",
+        "dynamics.harmonics",
+        "dynamics.ste_amplitude",
+        "dynamics.clearance",
+        "operation.pinion_torque",
+    ),
+    "given_excitation": ("oscillators.{case}",),
+    "sweep": (*_MOVED, "sweeps.{sweep}"),
+    "branches": (*_OSCILLATOR, "sweeps.{sweep}", "branches"),
     "map_ste": (*_EXCITED, "maps.mesh_frequency", "maps.ste"),
     "map_backlash": (*_EXCITED, "maps.mesh_frequency", "maps.backlash", "sweeps.backlash.reading"),
     "map_temperature": (*_EXCITED, "maps.mesh_frequency", "maps.temperature"),
     "map_wear": (*_EXCITED, "maps.mesh_frequency"),
-    "onsets": (*_EXCITED, "sweeps.order", "onsets.refinement"),
+    "onsets": (*_MOVED, "sweeps.order", "onsets.refinement"),
     "measures": (
         *_WHOLE_CHAIN,
         *_BOTH_CASES,
@@ -117,9 +127,10 @@ STAGES: dict[str, tuple[str, ...]] = {
         "sweeps.backlash",
         *(f"calibration.{name}" for name in Calibration.model_fields if name != "islands"),
     ),
-    "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
+    "portraits": (*_MOVED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
     "basins": (
-        *_EXCITED,
+        *_OSCILLATOR,
+        "settling",
         "sweeps.{sweep}",
         "basins.points.{sweep}.{case}",
         "basins.displacement",
@@ -150,7 +161,7 @@ def slice_of(config: dict, stage: str, case: str = "", sweep: str = "") -> dict[
     cut: dict[str, Any] = {}
     for dotted in wanted:
         path = dotted.format(case=case, sweep=sweep, reference=config["dynamics"]["reference_case"]).split(".")
-        source: Any = {**config, "case": config["cases"].get(case)}
+        source: Any = {**config, "case": config["cases"][case]} if case in config["cases"] else config
         target = cut
         for name in path[:-1]:
             source = source[name]

@@ -34,6 +34,7 @@ _MADE_BY = {
     "transmission_error": ("share_load",),
     "backlash": ("open_backlash",),
     "response": ("solve_response",),
+    "excitation": ("build_excitation", "give_excitation"),
     "parts": ("sweep_part",),
     "restart": ("join_sweep",),
     "up": ("carry_sweep",),
@@ -59,6 +60,7 @@ _MADE_BY = {
 # names of nothing else
 _SINGLE = (
     "geometry",
+    "excitation",
     "onsets",
     "onset_variants",
     "member_onsets",

@@ -39,6 +39,7 @@ from gearwear.plumbing.key_types import (
     target,
 )
 from gearwear.plumbing.member_sections import Onsets, Study
+from gearwear.plumbing.oscillator_sections import GivenOscillator
 from gearwear.plumbing.sensitivity_sections import Sensitivity
 
 MOST_CYCLES = 10**12
@@ -268,9 +269,12 @@ class Portraits(Section):
 
 
 class Figures(Section):
-    """States drawn side by side."""
+    """What is drawn side by side, and what it is held against."""
 
     diagonal: Names = target("Cases of Figs 6 to 11, from new to worn.", min_length=2, max_length=6)
+    claims: Flag = target(
+        "Whether the statements of the paper are drawn in the diagrams and judged; they are about its own pair."
+    )
 
 
 class Configuration(Section):
@@ -290,6 +294,7 @@ class Configuration(Section):
     wear: Wear
     dynamics: Dynamics
     settling: Settling
+    oscillators: dict[CaseName, GivenOscillator] = plain("Oscillators given by their equation.")
     cases: dict[CaseName, Case]
     sweeps: Sweeps
     branches: Branches

@@ -1,0 +1,74 @@
+"""The excitation of one state as variables of a file, and back, to the last bit."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from gearwear.dynamics.excitation import Excitation
+from gearwear.dynamics.periodic import Harmonics, PeriodicTable
+
+_SCALARS = {
+    "initial_half_backlash": "length",
+    "mean_stiffness": "mean_stiffness",
+    "natural_frequency": "natural_frequency",
+    "mean_force": "mean_force",
+    "force_parameter": "force_parameter",
+    "error_amplitude": "error_amplitude",
+    "reference_error_amplitude": "reference_amplitude",
+    "relative_mean_error": "relative_mean_error",
+    "stiffest_phase": "stiffest_phase",
+}
+_MEANS = {"stiffness": 1.0, "error_shape": 0.0}  # of the sums of harmonics
+
+
+def columns(source: Excitation) -> dict[str, Any]:
+    """Return the variables of the file; numbers that the excitation does not have (nan) are left out.
+
+    Stiffness and error are sums of harmonics (dimension `harmonic`) or tables (dimensions `cell` and `cell_edge`); a
+    clearance that does not vary has no harmonics.
+    """
+    scalars = {name: getattr(source, attribute) for name, attribute in _SCALARS.items()}
+    values: dict[str, Any] = {name: value for name, value in scalars.items() if not np.isnan(value)}
+    values["mean_clearance"] = source.clearance.mean
+    waves = {"stiffness": source.stiffness, "error_shape": source.shape, "clearance": source.clearance}
+    for name, wave in waves.items():
+        values |= _harmonics(name, wave) if isinstance(wave, Harmonics) else _table(name, wave)
+    return values
+
+
+def recorded(dataset: xr.Dataset) -> Excitation:
+    """Return the excitation that `columns` wrote."""
+    scalars = {attribute: float(dataset.get(name, np.nan)) for name, attribute in _SCALARS.items()}
+    stiffness, shape = (_wave(dataset, name, mean) for name, mean in _MEANS.items())
+    clearance = _wave(dataset, "clearance", float(dataset["mean_clearance"]))
+    return Excitation(stiffness=stiffness, shape=shape, clearance=clearance, **scalars)
+
+
+def _harmonics(name: str, wave: Harmonics) -> dict[str, Any]:
+    if not wave.amplitudes:
+        return {}
+    return {
+        f"{name}_amplitude": ("harmonic", np.array(wave.amplitudes)),
+        f"{name}_phase": ("harmonic", np.array(wave.phases)),
+        "harmonic": ("harmonic", np.arange(1.0, len(wave.amplitudes) + 1)),
+    }
+
+
+def _table(name: str, wave: PeriodicTable) -> dict[str, Any]:
+    return {
+        "cell_edge": ("cell_edge", np.array(wave.breaks)),
+        f"{name}_at_cell_start": ("cell", np.array(wave.start)),
+        f"{name}_at_cell_end": ("cell", np.array(wave.end)),
+    }
+
+
+def _wave(dataset: xr.Dataset, name: str, mean: float) -> Harmonics | PeriodicTable:
+    if f"{name}_at_cell_start" in dataset:
+        table = ("cell_edge", f"{name}_at_cell_start", f"{name}_at_cell_end")
+        return PeriodicTable(*(tuple(dataset[one].values) for one in table))
+    if f"{name}_amplitude" in dataset:
+        return Harmonics(mean, *(tuple(dataset[f"{name}_{part}"].values) for part in ("amplitude", "phase")))
+    return Harmonics(mean)
