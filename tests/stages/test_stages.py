@@ -18,6 +18,8 @@ CONTENTS = {
         "mesh_phase": PHASE,
         "mesh_phase_width": PHASE,
         "base_radius": ("gear",),
+        "tip_relief": BOTH,
+        "spacing": PATH,
     },
     "temperature": {
         "contact_temperature": PATH,
@@ -602,6 +604,36 @@ def test_more_torque_more_error(states, loaded, rerun):
     assert heavy == pytest.approx(
         2 * loaded(files, "transmission_error")["transmission_error"].values, rel=1e-12, abs=0
     )
+
+
+RELIEF = {f"micro_geometry.tip_relief.{gear}.amount": 30e-6 for gear in ("pinion", "gear")}
+
+
+@pytest.fixture(scope="session")
+def relieved(study, run_chain):
+    """Files of a pristine pair whose relief is deeper than its load can close, and whose spacing is 2 um off."""
+    return run_chain(study(RELIEF | {"micro_geometry.spacing_error": 2e-6}), "with")
+
+
+def test_relief_and_spacing_reach_sharing_error_temperature_and_wear(relieved, loaded, advance):
+    geometry, mesh = loaded(relieved, "geometry"), loaded(relieved, "transmission_error")
+    made = geometry["tip_relief"].values.sum(axis=0) + geometry["spacing"].values
+    assert made.max() == pytest.approx(32e-6)
+    assert mesh["sharing_error"].values == pytest.approx(made, abs=ROUND_OFF)
+    share = mesh["load_share_path"].values
+    apart = share == 0
+    assert 0 < apart.sum() < len(share) / 3
+    assert (made[apart] > 15e-6).all() and not mesh["elastic_deflection"].values[apart].any()
+    assert not loaded(relieved, "temperature")["flash_temperature"].values[apart].any()
+    assert not advance(relieved)["wear_depth"].values[:, apart].any()
+
+
+def test_relief_opens_the_gap_as_wear_does_and_spacing_moves_a_tooth_with_both_its_flanks(relieved, loaded):
+    mesh, growth = loaded(relieved, "transmission_error"), loaded(relieved, "deformation")["thermal_growth"].values
+    relief = loaded(relieved, "geometry")["tip_relief"].values.sum(axis=0)
+    change = mesh["elastic_deflection"].values + relief - 2 * growth.sum(axis=0)
+    expected = 65e-6 + np.cos(np.radians(40.0)) * change / 2
+    assert loaded(relieved, "backlash")["backlash_path"].values == pytest.approx(expected, rel=1e-12, abs=0)
 
 
 # backlash

@@ -74,6 +74,8 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
     [
         ("gear_pair.module", {"geometry"}),
         ("grid.mesh_cells", {"geometry"}),
+        ("micro_geometry.tip_relief.gear.amount", {"geometry"}),
+        ("micro_geometry.base_pitch_difference", {"geometry"}),
         ("material.pinion.density", {"geometry", "temperature"}),
         ("material.gear.youngs_modulus", {"temperature", "advance_wear", "mesh_stiffness"}),
         ("material.gear.thermal_expansion", {"temperature", "deformation", "advance_wear", "mesh_stiffness"}),

@@ -26,7 +26,7 @@ def backlash(
     clearance = half_backlash(
         settings["half_backlash"],
         transmission_error["elastic_deflection"].values,
-        wear["wear_depth"].values,
+        wear["wear_depth"].values + geometry["tip_relief"].values,
         deformation["thermal_growth"].values,
         float(geometry["working_pressure_angle"]),
         settings["projection"],

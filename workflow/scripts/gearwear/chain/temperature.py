@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from gearwear.geometry.deviations import lacking
 from gearwear.geometry.involute import GEARS, each
 from gearwear.geometry.kinematics import curvature, mesh_force, surface_speed
 from gearwear.heat.flash import contact_heat
@@ -37,7 +38,7 @@ def temperature(cfg: dict[str, Any], geometry: xr.Dataset) -> xr.Dataset:
         force = load_factor * mesh_force(geometry, cfg["operation"]["pinion_torque"])
         pairs = pair_stiffness(geometry, modulus, poisson, pristine, cfg["mesh_stiffness"], force)
         springs = Springs(pairs.pair_stiffness, pairs.coupling, geometry["partner"].values)
-        shared = share(springs, np.zeros(geometry.sizes["path"]), force)
+        shared = share(springs, lacking(geometry), force)
         speed = surface_speed(geometry, speed_factor * cfg["operation"]["pinion_speed"])
         return speed, contact_heat(
             shared.load_share * force / float(geometry["face_width"]),

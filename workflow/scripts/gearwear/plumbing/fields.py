@@ -90,6 +90,8 @@ FIELDS: dict[str, Field] = {
     "mesh_phase_width": Field("1", "width of the cell of the mesh phase", _PHASE),
     "entering": Field("", "index of the path node of the entering pair", _PHASE),
     "leaving": Field("", "index of the path node of the leaving pair, -1 for none", _PHASE),
+    "tip_relief": Field("m", "depth relieved from the flank", _BOTH),
+    "spacing": Field("m", "material that the pair lacks by the spacing of successive pairs", _PATH),
     # temperature
     "contact_temperature": Field("degC", "tooth contact temperature", _PATH),
     "flash_temperature": Field("K", "flash temperature rise", _PATH),
@@ -124,8 +126,8 @@ FIELDS: dict[str, Field] = {
     "load_share_path": Field("1", "part of the mesh force on the pair at this position", _PATH),
     "elastic_deflection": Field("m", "elastic deflection of the pair", _PATH),
     "effective_stiffness": Field("N m-1", "mesh force over the deflection of the better pair", _PHASE),
-    "profile_error": Field("m", "material removed from the pair, by wear and by heat", _PATH),
-    "sharing_error": Field("m", "material removed from the pair as load sharing sees it", _PATH),
+    "profile_error": Field("m", "material that the pair lacks, by manufacture, wear and heat", _PATH),
+    "sharing_error": Field("m", "material that the pair lacks as load sharing sees it", _PATH),
     # backlash
     "backlash": Field("m", "half clearance of the entering pair", _PHASE),
     "backlash_path": Field("m", "half clearance along the path of one pair", _PATH),

@@ -15,6 +15,7 @@ from gearwear.plumbing.key_types import SWEEPS
 _EXCITED = ("dynamics", "settling", "operation.pinion_torque")
 _WHOLE_CHAIN = (
     "gear_pair",
+    "micro_geometry",
     "grid",
     "material",
     "elasticity",
@@ -44,7 +45,7 @@ _HOT_STEEL = (
 )
 
 STAGES: dict[str, tuple[str, ...]] = {
-    "geometry": ("gear_pair", "grid", "material.pinion.density", "material.gear.density"),
+    "geometry": ("gear_pair", "micro_geometry", "grid", "material.pinion.density", "material.gear.density"),
     "temperature": (
         "elasticity",
         "material",

@@ -39,6 +39,7 @@ from gearwear.plumbing.key_types import (
     target,
 )
 from gearwear.plumbing.member_sections import Onsets, Study
+from gearwear.plumbing.micro_geometry_sections import MicroGeometry
 from gearwear.plumbing.sensitivity_sections import Sensitivity
 
 MOST_CYCLES = 10**12
@@ -277,6 +278,7 @@ class Configuration(Section):
     """Everything a run of the workflow can be told."""
 
     gear_pair: GearPair
+    micro_geometry: MicroGeometry
     grid: Grid
     material: Material
     elasticity: Elasticity
