@@ -58,7 +58,12 @@ CONTENTS = {
         "profile_error": PATH,
         "sharing_error": PATH,
     },
-    "backlash": {"backlash": PHASE, "backlash_path": PATH, "initial_half_backlash": ()},
+    "backlash": {
+        "backlash": PHASE,
+        "backlash_path": PATH,
+        "initial_half_backlash": (),
+        "centre_distance_change": (),
+    },
 }
 PITCH = "pitch_point"
 ROUND_OFF = 1e-16  # m, a few units in the last place of a radius
@@ -637,6 +642,20 @@ def test_relief_opens_the_gap_as_wear_does_and_spacing_moves_a_tooth_with_both_i
 
 
 # backlash
+
+
+def test_moved_shafts_and_a_hot_housing_open_the_gap(states, loaded, rerun):
+    files = states("with")
+    near = loaded(files, "backlash")
+    moved = rerun("backlash", "with", files, backlash__centre_distance_change=50e-6)
+    assert float(moved["centre_distance_change"]) == 50e-6
+    first_order = 50e-6 * np.sin(np.radians(20.0))
+    opened = moved["backlash_path"].values - near["backlash_path"].values
+    assert opened == pytest.approx(np.full(len(opened), first_order), rel=1e-2)
+    hot = rerun("backlash", "with", files, backlash__housing__temperature_rise=0.75, heat__growth="eulerian")
+    centre_distance = float(loaded(files, "geometry")["centre_distance"])
+    assert float(hot["centre_distance_change"]) == pytest.approx(2.3e-5 * 60 * centre_distance, rel=1e-12)
+    assert (hot["backlash_path"].values > near["backlash_path"].values + 20e-6).all()
 
 
 @pytest.mark.parametrize(("projection", "factor"), [("shi", np.cos(np.radians(40.0))), ("exact", 1.0)])

@@ -201,6 +201,12 @@ BAD = [
     ),
     # rules between keys
     (
+        "backlash.housing.temperature_rise",
+        0.5,
+        "0.5 moves the shafts apart, and heat.growth paper leaves out the growth of the gear bodies towards each other "
+        "that goes with it; give heat.growth eulerian, or 0",
+    ),
+    (
         "cases.with.running_cycles",
         2.05e9,
         "2.05e+9 is not a whole multiple of wear.cycles_per_update, 1.0e+8; give 2.0e+9 or 2.1e+9",

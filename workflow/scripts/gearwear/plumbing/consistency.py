@@ -40,6 +40,7 @@ def disagreements(values: dict[str, Any]) -> Iterator[Problem]:
     yield from _materials_of_contact(values)
     yield from _settling(values)
     yield from _unloaded_error(values)
+    yield from _housing(values)
     yield from _resolution(values)
     yield from _torque(values)
     if isinstance(_at(values, "cases"), dict):
@@ -133,6 +134,16 @@ def _unloaded_error(values: dict[str, Any]) -> Iterator[Problem]:
             ("dynamics", "ste_amplitude"),
             f"{amplitude} compares with the loaded error of the pristine pair, and transmission_error.mode no_load has "
             "none; give harmonic",
+        )
+
+
+def _housing(values: dict[str, Any]) -> Iterator[Problem]:
+    found = _pair(values, "backlash.housing.temperature_rise", "heat.growth")
+    if found and found[0] > 0 and found[1] != "eulerian":
+        yield (
+            ("backlash", "housing", "temperature_rise"),
+            f"{found[0]} moves the shafts apart, and heat.growth {found[1]} leaves out the growth of the gear bodies "
+            "towards each other that goes with it; give heat.growth eulerian, or 0",
         )
 
 

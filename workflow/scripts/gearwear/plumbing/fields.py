@@ -132,6 +132,7 @@ FIELDS: dict[str, Field] = {
     "backlash": Field("m", "half clearance of the entering pair", _PHASE),
     "backlash_path": Field("m", "half clearance along the path of one pair", _PATH),
     "initial_half_backlash": Field("m", "half clearance of the cold, unworn, unloaded pair", _SCALAR),
+    "centre_distance_change": Field("m", "change of the centre distance by mounting and housing", _SCALAR),
     # response
     "mesh_force": Field("N", "dynamic mesh force, mean over the sampled periods", _PHASE),
     "mesh_force_path": Field(

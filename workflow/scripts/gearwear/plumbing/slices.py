@@ -71,7 +71,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     "advance_wear": ("wear", "operation", "lubricant", *_HOT_STEEL),
     "mesh_stiffness": ("mesh_stiffness", *_HOT_STEEL),
     "transmission_error": ("transmission_error", "operation.pinion_torque"),
-    "backlash": ("backlash",),
+    "backlash": ("backlash", "heat.initial_temperature", "case.bulk_temperature"),
     "response": (*_EXCITED, "operation.pinion_speed"),
     "sweep": (*_EXCITED, "sweeps.{sweep}"),
     "branches": ("dynamics", "operation.pinion_torque", "sweeps.{sweep}", "branches"),
