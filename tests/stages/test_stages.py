@@ -8,6 +8,7 @@ import pytest
 import xarray as xr
 
 from gearwear.plumbing import store
+from gearwear.plumbing.bulk import resolved
 from gearwear.plumbing.fields import FIELDS, field_of
 
 PATH, PHASE, BOTH = ("path",), ("mesh_phase",), ("gear", "path")
@@ -30,6 +31,9 @@ CONTENTS = {
         "load_per_width": PATH,
         "surface_speed": BOTH,
         "flash_sensitivity": ("influence",),
+        "mesh_loss": (),
+        "churning_loss": (),
+        "convection": (),
     },
     "deformation": {
         "thermal_growth": BOTH,
@@ -270,6 +274,16 @@ def test_vogel_oil_is_thicker_below_100_degrees_and_the_same_there(states, rerun
     assert (vogel > 1.5 * fixed).all()
     hot = rerun("temperature", "with", files, lubricant__viscosity_law="vogel")["film_ratio"].values
     assert hot == pytest.approx(rerun("temperature", "with", files)["film_ratio"].values, rel=1e-12, abs=0)
+
+
+def test_losses_and_convection_are_equal_where_the_case_asks_for_a_balance(study, run_stage, states):
+    config = resolved(study({"cases.with.bulk_temperature": "balance", "heat_balance.immersion.gear": 10e-3}))
+    found = store.load(run_stage("temperature", config, "with", states("with")))
+    given = store.load(states("with")["temperature"])
+    assert float(found["mesh_loss"] + found["churning_loss"]) == pytest.approx(float(found["convection"]), rel=1e-9)
+    assert float(given["mesh_loss"] + given["churning_loss"]) != pytest.approx(float(given["convection"]), rel=1e-2)
+    bulk = config["cases"]["with"]["bulk_temperature"]
+    assert found["contact_temperature"].values.min() == pytest.approx(bulk, rel=1e-12)
 
 
 # growth of the flanks

@@ -1,6 +1,7 @@
 from snakemake.exceptions import WorkflowError
 
 from gearwear.plumbing import settings
+from gearwear.plumbing.bulk import resolved
 from gearwear.plumbing.closure import digest
 from gearwear.plumbing.members import members, temperature_root
 from gearwear.plumbing.runlock import RunningAlready, hold, only_looks
@@ -11,7 +12,8 @@ sys.setrecursionlimit(20000)
 
 try:
     config = settings.check(config)
-    MEMBERS = members(config)
+    MEMBERS = {root: resolved(one) for root, one in members(config).items()}
+    config = MEMBERS[""]
 except settings.ConfigError as error:
     raise WorkflowError(str(error))
 

@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
+from gearwear.plumbing.bulk import BALANCE, of_case
 from gearwear.plumbing.key_types import CASE_NAME, SWEEPS
 from gearwear.plumbing.study_sections import MOST_CYCLES
 from gearwear.plumbing.wording import dotted, figure, listed, shown
@@ -82,17 +83,16 @@ def _temperatures(values: dict[str, Any]) -> Iterator[Problem]:
     initial = _at(values, "heat.initial_temperature")
     tabled = _at(values, "elasticity.law") == "table"
     for name, case in (_at(values, "cases") or {}).items():
-        bulk = _at(case, "bulk_temperature")
-        if initial is not None and bulk is not None and bulk < initial:
-            yield (
-                ("cases", name, "bulk_temperature"),
-                f"{bulk} is below heat.initial_temperature, {initial} degC; give at least that",
-            )
-        elif tabled and bulk is not None and not 20 <= bulk <= 260:
-            yield (
-                ("cases", name, "bulk_temperature"),
-                f"{bulk} is outside the table of elasticity.law table, 20 to 260 degC; use law li or linear",
-            )
+        path, (bulk, hindrance) = ("cases", name, "bulk_temperature"), of_case(values, case)
+        if hindrance:
+            yield path, hindrance
+        if bulk is None:
+            continue
+        named = f"{BALANCE}, {bulk:.1f} degC," if case["bulk_temperature"] == BALANCE else bulk
+        if initial is not None and bulk < initial:
+            yield path, f"{named} is below heat.initial_temperature, {initial} degC; give at least that"
+        elif tabled and not 20 <= bulk <= 260:
+            yield path, f"{named} is outside the table of elasticity.law table, 20 to 260 degC; use law li or linear"
 
 
 def _materials_of_contact(values: dict[str, Any]) -> Iterator[Problem]:

@@ -101,6 +101,9 @@ FIELDS: dict[str, Field] = {
     "load_per_width": Field("N m-1", "load of the pair per face width", _PATH),
     "surface_speed": Field("m s-1", "speed of the flank through the contact", _BOTH),
     "flash_sensitivity": Field("1", "largest flash temperature over its base value", (("influence",),)),
+    "mesh_loss": Field("W", "heat set free by the friction of the teeth", _SCALAR),
+    "churning_loss": Field("W", "heat set free by the gears in the oil", _SCALAR),
+    "convection": Field("W", "heat given off at the bulk temperature", _SCALAR),
     # deformation
     "thermal_growth": Field("m", "thermal growth of one flank along the line of action", _BOTH),
     "thermal_growth_flash": Field("m", "growth added if the whole tooth had the flash temperature rise", _BOTH),
