@@ -8,6 +8,7 @@ import pytest
 import xarray as xr
 
 from gearwear.plumbing import store
+from gearwear.plumbing.bulk import resolved
 from gearwear.plumbing.fields import FIELDS, field_of
 
 PATH, PHASE, BOTH = ("path",), ("mesh_phase",), ("gear", "path")
@@ -18,6 +19,8 @@ CONTENTS = {
         "mesh_phase": PHASE,
         "mesh_phase_width": PHASE,
         "base_radius": ("gear",),
+        "tip_relief": BOTH,
+        "spacing": PATH,
     },
     "temperature": {
         "contact_temperature": PATH,
@@ -28,6 +31,9 @@ CONTENTS = {
         "load_per_width": PATH,
         "surface_speed": BOTH,
         "flash_sensitivity": ("influence",),
+        "mesh_loss": (),
+        "churning_loss": (),
+        "convection": (),
     },
     "deformation": {
         "thermal_growth": BOTH,
@@ -56,7 +62,12 @@ CONTENTS = {
         "profile_error": PATH,
         "sharing_error": PATH,
     },
-    "backlash": {"backlash": PHASE, "backlash_path": PATH, "initial_half_backlash": ()},
+    "backlash": {
+        "backlash": PHASE,
+        "backlash_path": PATH,
+        "initial_half_backlash": (),
+        "centre_distance_change": (),
+    },
 }
 PITCH = "pitch_point"
 ROUND_OFF = 1e-16  # m, a few units in the last place of a radius
@@ -263,6 +274,16 @@ def test_vogel_oil_is_thicker_below_100_degrees_and_the_same_there(states, rerun
     assert (vogel > 1.5 * fixed).all()
     hot = rerun("temperature", "with", files, lubricant__viscosity_law="vogel")["film_ratio"].values
     assert hot == pytest.approx(rerun("temperature", "with", files)["film_ratio"].values, rel=1e-12, abs=0)
+
+
+def test_losses_and_convection_are_equal_where_the_case_asks_for_a_balance(study, run_stage, states):
+    config = resolved(study({"cases.with.bulk_temperature": "balance", "heat_balance.immersion.gear": 10e-3}))
+    found = store.load(run_stage("temperature", config, "with", states("with")))
+    given = store.load(states("with")["temperature"])
+    assert float(found["mesh_loss"] + found["churning_loss"]) == pytest.approx(float(found["convection"]), rel=1e-9)
+    assert float(given["mesh_loss"] + given["churning_loss"]) != pytest.approx(float(given["convection"]), rel=1e-2)
+    bulk = config["cases"]["with"]["bulk_temperature"]
+    assert found["contact_temperature"].values.min() == pytest.approx(bulk, rel=1e-12)
 
 
 # growth of the flanks
@@ -604,7 +625,51 @@ def test_more_torque_more_error(states, loaded, rerun):
     )
 
 
+RELIEF = {f"micro_geometry.tip_relief.{gear}.amount": 30e-6 for gear in ("pinion", "gear")}
+
+
+@pytest.fixture(scope="session")
+def relieved(study, run_chain):
+    """Files of a pristine pair whose relief is deeper than its load can close, and whose spacing is 2 um off."""
+    return run_chain(study(RELIEF | {"micro_geometry.spacing_error": 2e-6}), "with")
+
+
+def test_relief_and_spacing_reach_sharing_error_temperature_and_wear(relieved, loaded, advance):
+    geometry, mesh = loaded(relieved, "geometry"), loaded(relieved, "transmission_error")
+    made = geometry["tip_relief"].values.sum(axis=0) + geometry["spacing"].values
+    assert made.max() == pytest.approx(32e-6)
+    assert mesh["sharing_error"].values == pytest.approx(made, abs=ROUND_OFF)
+    share = mesh["load_share_path"].values
+    apart = share == 0
+    assert 0 < apart.sum() < len(share) / 3
+    assert (made[apart] > 15e-6).all() and not mesh["elastic_deflection"].values[apart].any()
+    assert not loaded(relieved, "temperature")["flash_temperature"].values[apart].any()
+    assert not advance(relieved)["wear_depth"].values[:, apart].any()
+
+
+def test_relief_opens_the_gap_as_wear_does_and_spacing_moves_a_tooth_with_both_its_flanks(relieved, loaded):
+    mesh, growth = loaded(relieved, "transmission_error"), loaded(relieved, "deformation")["thermal_growth"].values
+    relief = loaded(relieved, "geometry")["tip_relief"].values.sum(axis=0)
+    change = mesh["elastic_deflection"].values + relief - 2 * growth.sum(axis=0)
+    expected = 65e-6 + np.cos(np.radians(40.0)) * change / 2
+    assert loaded(relieved, "backlash")["backlash_path"].values == pytest.approx(expected, rel=1e-12, abs=0)
+
+
 # backlash
+
+
+def test_moved_shafts_and_a_hot_housing_open_the_gap(states, loaded, rerun):
+    files = states("with")
+    near = loaded(files, "backlash")
+    moved = rerun("backlash", "with", files, backlash__centre_distance_change=50e-6)
+    assert float(moved["centre_distance_change"]) == 50e-6
+    first_order = 50e-6 * np.sin(np.radians(20.0))
+    opened = moved["backlash_path"].values - near["backlash_path"].values
+    assert opened == pytest.approx(np.full(len(opened), first_order), rel=1e-2)
+    hot = rerun("backlash", "with", files, backlash__housing__temperature_rise=0.75, heat__growth="eulerian")
+    centre_distance = float(loaded(files, "geometry")["centre_distance"])
+    assert float(hot["centre_distance_change"]) == pytest.approx(2.3e-5 * 60 * centre_distance, rel=1e-12)
+    assert (hot["backlash_path"].values > near["backlash_path"].values + 20e-6).all()
 
 
 @pytest.mark.parametrize(("projection", "factor"), [("shi", np.cos(np.radians(40.0))), ("exact", 1.0)])

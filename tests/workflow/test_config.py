@@ -39,6 +39,17 @@ def load(name):
             "cases.n0700_t060.bulk_temperature: 15.0 is outside the table of elasticity.law table, 20 to 260 degC; "
             "use law li or linear",
         ),
+        (
+            {"cases.with.bulk_temperature": "balance", "heat_balance.heat_transfer": 1.0},
+            "cases.with.bulk_temperature: balance: it closes at 2143.7 degC, outside -40 to 250 degC, with a mesh loss "
+            "of 214 W and a churning loss of 18.2 W at heat_balance.surroundings; check heat_balance.heat_transfer, "
+            "area and immersion, or the load",
+        ),
+        (
+            {"cases.with.bulk_temperature": "balance", "heat_balance.surroundings": 0, "heat_balance.area": 1e3},
+            "cases.with.bulk_temperature: balance, 0.0 degC, is below heat.initial_temperature, 20.0 degC; give at "
+            "least that",
+        ),
     ],
 )
 def test_values_that_do_not_go_together(changes, line):
@@ -197,9 +208,36 @@ BAD = [
     (
         "cases.with.bulk_temperature",
         300,
-        "300.0 is above the largest allowed value 250 degC; give a number from -40 to 250 degC",
+        "300.0 is above the largest allowed value 250 degC; give a number from -40 to 250 degC or balance",
     ),
+    (
+        "micro_geometry.tip_relief.pinion.amount",
+        20,
+        "20.0 is above the largest allowed value 0.001 m; give a number from 0 to 0.001 m (1 mm is 1.0e-3 m)",
+    ),
+    (
+        "micro_geometry.tip_relief.gear.length",
+        3,
+        "3.0 is above the largest allowed value 2; give a number from 0.01 to 2",
+    ),
+    (
+        "micro_geometry.spacing_error",
+        -5,
+        "-5.0 is below the least allowed value -0.001 m; give a number from -0.001 to 0.001 m (1 mm is 1.0e-3 m)",
+    ),
+    (
+        "backlash.centre_distance_change",
+        0.02,
+        "0.02 is above the largest allowed value 0.001 m; give a number from -0.001 to 0.001 m (1 mm is 1.0e-3 m)",
+    ),
+    ("heat_balance.area", "none", "text 'none' is not a number; give a number above 0 up to 10000 m2 or null"),
     # rules between keys
+    (
+        "backlash.housing.temperature_rise",
+        0.5,
+        "0.5 moves the shafts apart, and heat.growth paper leaves out the growth of the gear bodies towards each other "
+        "that goes with it; give heat.growth eulerian, or 0",
+    ),
     (
         "cases.with.running_cycles",
         2.05e9,

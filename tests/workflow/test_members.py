@@ -67,6 +67,10 @@ def test_a_changed_value_of_the_study_reruns_its_members_and_one_of_a_member_onl
     assert planned(project, {"studies": other}) == {OWN}
 
 
+def test_a_balance_decides_the_temperature_of_the_study_and_gives_way_to_that_of_a_member(project):
+    assert planned(project, {"cases": {"with": {"bulk_temperature": "balance"}}}) == {"results/with/temperature.nc"}
+
+
 def test_the_last_cycle_and_the_reference_are_those_of_the_member(project):
     overrides = {"cases": {"with": {"running_cycles": 0}}, "dynamics": {"reference_case": "temperature_only"}}
     overlay = {"studies": {"new": {"members": {"unworn": overrides}}}}

@@ -2,6 +2,7 @@ from snakemake.exceptions import WorkflowError
 
 from gearwear.plumbing import settings
 from gearwear.plumbing.chains import chain_of, chains, updates_of
+from gearwear.plumbing.bulk import resolved
 from gearwear.plumbing.closure import digest
 from gearwear.plumbing.members import hindrance, members, temperature_root
 from gearwear.plumbing.runlock import RunningAlready, hold, only_looks
@@ -12,7 +13,8 @@ sys.setrecursionlimit(20000)
 
 try:
     config = settings.check(config)
-    MEMBERS = members(config)
+    MEMBERS = {root: resolved(one) for root, one in members(config).items()}
+    config = MEMBERS[""]
 except settings.ConfigError as error:
     raise WorkflowError(str(error))
 

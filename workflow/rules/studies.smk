@@ -38,7 +38,7 @@ def chains_wanted():
 CHAINS = chains(chains_wanted())
 
 
-def studied(root):
+def case_of_study(root):
     """The case that a study is about, by the folder of a member."""
     return config["studies"][root.split("/")[1]]["case"]
 
@@ -93,7 +93,7 @@ rule run_chain:
 rule measure_outcome:
     input:
         chain=lambda wildcards: chain_file(
-            member(wildcards.root), studied(wildcards.root)
+            member(wildcards.root), case_of_study(wildcards.root)
         ),
     output:
         "results/{root}outcome.nc",
@@ -106,7 +106,7 @@ rule measure_outcome:
     params:
         cfg=lambda wildcards: {
             "outcome": cfg("outcome")(wildcards),
-            "update": updates_of(member(wildcards.root), studied(wildcards.root)),
+            "update": updates_of(member(wildcards.root), case_of_study(wildcards.root)),
         },
         code=code("measure_outcome.py"),
     message:

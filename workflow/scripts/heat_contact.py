@@ -13,6 +13,8 @@ def main(job):
     contact = temperature(job.params.cfg, store.load(job.input.geometry))
     bulk, peak = job.params.cfg["case"]["bulk_temperature"], float(contact["flash_temperature"].max())
     stage.log.info("bulk temperature %g degC, flash temperature up to %.1f K", bulk, peak)
+    flows = [float(contact[name]) for name in ("mesh_loss", "churning_loss", "convection")]
+    stage.log.info("mesh loss %.4g W, churning loss %.4g W, heat given off %.4g W", *flows)
     store.save(contact, job)
 
 

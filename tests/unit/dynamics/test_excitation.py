@@ -204,3 +204,24 @@ def test_an_error_that_is_none_excites_nothing(geometry, reference):
     assert math.isnan(alone.relative_mean_error)
     worn = of(geometry, reference, flat, ste_amplitude="harmonic")
     assert worn.reference_amplitude == worn.error_amplitude > 0
+
+
+@pytest.mark.parametrize("key", ["spacing_error", "base_pitch_difference"])
+def test_error_of_the_spacing_alone_is_a_rectangle_or_a_sawtooth_with_its_jumps(geometry, reference, key):
+    """Without load e is the least material that a pair in contact lacks: -E_s while two pairs are, or E_s tau."""
+    spacing, tau = 4e-6, geometry["mesh_phase"].values
+    error = np.where(tau < RATIO - 1, -spacing, 0.0) if key == "spacing_error" else spacing * tau
+    state = reference.assign(transmission_error=("mesh_phase", error))
+    first = of(geometry, state, reference, ste_amplitude="harmonic")
+    full = of(geometry, state, reference, ste_amplitude="harmonic", harmonics="full")
+    if key == "spacing_error":
+        amplitude, phase = 2 / math.pi * spacing * math.sin(0.6 * math.pi), 0.4 * math.pi
+        jumps = {0.0: -spacing, RATIO - 1: spacing}
+    else:
+        amplitude, phase, jumps = spacing / math.pi, math.pi / 2, {0.0: -spacing, RATIO - 1: 0.0}
+    assert first.error_amplitude == full.error_amplitude == pytest.approx(amplitude / 65e-6, rel=1e-3)
+    assert first.shape.phases[0] == pytest.approx(phase, abs=1e-5)
+    table = full.shape.scaled(full.error_amplitude)
+    for place, jump in jumps.items():
+        assert table.jump(np.array([place]))[0] == pytest.approx(jump / 65e-6, abs=1e-9)
+    np.testing.assert_allclose(table.at(tau), error / 65e-6, atol=1e-12)

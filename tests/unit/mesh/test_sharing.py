@@ -5,6 +5,8 @@ import pytest
 import xarray as xr
 
 from gearwear.dynamics.harmonics import mean_over_mesh
+from gearwear.geometry.contact_path import contact_path
+from gearwear.geometry.deviations import spacing, tip_relief
 from gearwear.mesh.sharing import Springs, removed_by_heat, share, transmission
 from gearwear.mesh.stiffness import Flanks, mesh_stiffness, pair_stiffness
 
@@ -136,8 +138,22 @@ def mesh(benchmark_pair):
     return benchmark_pair, xr.Dataset(values)
 
 
-def state(mesh, wear, growth, mode="loaded", heat="relative", in_sharing=False):
-    return transmission(*mesh, wear, growth, FORCE, mode, heat, in_sharing)
+def state(mesh, wear, growth, mode="loaded", heat="relative", in_sharing=False, made=0.0, force=FORCE):
+    return transmission(*mesh, wear, growth, force, mode, heat, in_sharing, made)
+
+
+@pytest.fixture(scope="module")
+def new(mesh, make_pair):
+    """Return a function that gives the state of the new pair with relief of both gears and errors of spacing (m)."""
+    pair = make_pair((19, 48), 3.175e-3, 16e-3, bore=(10e-3, 25e-3))
+    contact, none = contact_path(pair, 240), np.zeros((2, mesh[0].sizes["path"]))
+
+    def of(relief=0.0, error=0.0, difference=0.0, length=1.0, **settings):
+        both = {gear: {"amount": relief, "length": length, "exponent": 1.0} for gear in ("pinion", "gear")}
+        made = tip_relief(contact, both).sum(axis=0) + spacing(contact, pair.base_pitch, error, difference)
+        return state(mesh, none, none, made=made, **settings)
+
+    return of
 
 
 @pytest.fixture
@@ -240,3 +256,65 @@ def test_paths_and_phases_tell_one_story(mesh, flanks):
     np.testing.assert_array_equal(found.load_sharing_factor[:, 0], found.load_share_path[entering])
     springs = mesh[1]["pair_stiffness"].values
     np.testing.assert_allclose(found.elastic_deflection * springs, found.load_share_path * FORCE, atol=1e-9 * FORCE)
+
+
+def test_a_pair_without_deviations_is_that_without_the_argument_to_the_last_bit(new, mesh):
+    none = np.zeros((2, mesh[0].sizes["path"]))
+    for one, other in zip(new(), state(mesh, none, none), strict=True):
+        np.testing.assert_array_equal(one, other)
+
+
+def test_long_relief_of_the_deflection_of_one_pair_smooths_the_error_most(new, mesh):
+    """The rule of design relief: its amount is about the deflection of the single pair under the design load."""
+    deflection = new().transmission_error[mesh[0]["leaving"].values < 0].mean()
+    amounts = np.linspace(0, 2, 41)
+    swings = [np.ptp(new(amount * deflection).transmission_error) for amount in amounts]
+    best = int(np.argmin(swings))
+    assert 0.9 < amounts[best] < 1.1
+    assert swings[best] < 0.25 * swings[0] and swings[best] < 0.25 * swings[-1]
+    assert (np.diff(swings[: best + 1]) < 0).all() and (np.diff(swings[best:]) > 0).all()
+
+
+def test_short_relief_leaves_the_error_without_load_at_nothing(new):
+    np.testing.assert_allclose(new(20e-6, length=0.5, mode="no_load").transmission_error, 0, atol=1e-20)
+    assert new(20e-6, mode="no_load").transmission_error.max() > 5e-6
+
+
+def test_relief_that_the_load_cannot_close_shortens_the_contact(new, mesh):
+    """A pair takes part only where it lacks less than the other pair alone approaches."""
+    geometry, stiffness = mesh
+    found, both = new(60e-6), geometry["leaving"].values >= 0
+    lacks, k = found.sharing_error, stiffness["pair_stiffness"].values
+    entering, leaving = geometry["entering"].values[both], geometry["leaving"].values[both]
+    for own, other, column in ((entering, leaving, 0), (leaving, entering, 1)):
+        touches = lacks[own] < FORCE / k[other] + lacks[other]
+        assert 0 < touches.sum() < both.sum()
+        np.testing.assert_array_equal(found.load_sharing_factor[both, column] > 0, touches)
+        np.testing.assert_array_equal(found.elastic_deflection[own[~touches]], 0)
+    np.testing.assert_allclose(found.load_sharing_factor.sum(axis=1), 1, rtol=1e-12)
+
+
+@pytest.mark.parametrize("error", [4e-6, -4e-6])
+def test_spacing_shifts_load_as_the_balance_of_two_springs_says(new, mesh, error):
+    geometry, stiffness = mesh
+    found, both = new(error=error), geometry["leaving"].values >= 0
+    k1, k2 = (stiffness["pair_stiffness"].values[geometry[name].values[both]] for name in ("entering", "leaving"))
+    np.testing.assert_allclose(found.load_sharing_factor[both, 0], k1 * (1 + k2 * error / FORCE) / (k1 + k2))
+    np.testing.assert_allclose(found.transmission_error[both], (FORCE + k2 * error) / (k1 + k2))
+    np.testing.assert_array_equal(found.transmission_error[~both], new().transmission_error[~both])
+    better = min(error, 0.0)
+    np.testing.assert_allclose(new(error=error, mode="no_load").transmission_error[both], better, atol=1e-20)
+
+
+def test_spacing_and_unlike_base_pitches_share_the_load_alike_and_differ_in_the_error(new, mesh):
+    step, ramp = new(error=4e-6), new(difference=4e-6)
+    np.testing.assert_allclose(ramp.load_sharing_factor, step.load_sharing_factor, atol=1e-12)
+    np.testing.assert_allclose(ramp.effective_stiffness, step.effective_stiffness, rtol=1e-12)
+    shift = ramp.transmission_error - step.transmission_error
+    np.testing.assert_allclose(np.diff(shift), 4e-6 * np.diff(mesh[0]["mesh_phase"].values), atol=1e-18)
+
+
+def test_spacing_beyond_the_deflection_leaves_one_pair_alone(new, mesh):
+    both = mesh[0]["leaving"].values >= 0
+    np.testing.assert_array_equal(new(error=100e-6).load_sharing_factor[both], np.tile([1.0, 0.0], (both.sum(), 1)))
+    np.testing.assert_array_equal(new(error=-100e-6).load_sharing_factor[both], np.tile([0.0, 1.0], (both.sum(), 1)))

@@ -6,7 +6,7 @@ from typing import Any
 
 import xarray as xr
 
-from gearwear.mesh.backlash import half_backlash
+from gearwear.mesh.backlash import centre_distance_change, half_backlash, opened
 
 
 def backlash(
@@ -22,18 +22,22 @@ def backlash(
     ----------
     cfg : the slice `backlash`.
     """
-    settings = cfg["backlash"]
+    settings, centre_distance = cfg["backlash"], float(geometry["centre_distance"])
+    rise = cfg["case"]["bulk_temperature"] - cfg["heat"]["initial_temperature"]
+    change = centre_distance_change(centre_distance, rise, settings["centre_distance_change"], settings["housing"])
     clearance = half_backlash(
         settings["half_backlash"],
         transmission_error["elastic_deflection"].values,
-        wear["wear_depth"].values,
+        wear["wear_depth"].values + geometry["tip_relief"].values,
         deformation["thermal_growth"].values,
         float(geometry["working_pressure_angle"]),
         settings["projection"],
+        opened(change, centre_distance, geometry["base_radius"].values),
     )
     values = {
         "backlash": ("mesh_phase", clearance[geometry["entering"].values]),
         "backlash_path": ("path", clearance),
         "initial_half_backlash": settings["half_backlash"],
+        "centre_distance_change": change,
     }
     return xr.Dataset(values, {name: geometry[name] for name in ("path", "mesh_phase")})

@@ -7,6 +7,7 @@ from typing import Any
 import xarray as xr
 
 from gearwear.geometry.contact_path import contact_path
+from gearwear.geometry.deviations import spacing, tip_relief
 from gearwear.geometry.involute import GEARS, equivalent_mass, gear_pair
 from gearwear.geometry.record import dataset
 from gearwear.mesh.foundation import fit_warnings
@@ -25,7 +26,15 @@ def geometry(cfg: dict[str, Any]) -> xr.Dataset:
     pair = gear_pair(**settings)
     mesh = contact_path(pair, cfg["grid"]["mesh_cells"])
     moments, mass = equivalent_mass(pair, density, inertia)
-    return dataset(pair, mesh).assign({"moment_of_inertia": ("gear", moments), "equivalent_mass": mass})
+    made = dict(cfg["micro_geometry"])
+    relief = tip_relief(mesh, made.pop("tip_relief"))
+    values = {
+        "moment_of_inertia": ("gear", moments),
+        "equivalent_mass": mass,
+        "tip_relief": (("gear", "path"), relief),
+        "spacing": ("path", spacing(mesh, pair.base_pitch, **made)),
+    }
+    return dataset(pair, mesh).assign(values)
 
 
 def beyond_fits(pair: xr.Dataset) -> list[str]:

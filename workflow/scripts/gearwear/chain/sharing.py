@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from gearwear.geometry.deviations import lacking
 from gearwear.geometry.kinematics import mesh_force
 from gearwear.mesh.sharing import transmission
 
@@ -27,6 +28,7 @@ def transmission_error(
         deformation["thermal_growth"].values,
         mesh_force(geometry, cfg["operation"]["pinion_torque"]),
         **cfg["transmission_error"],
+        made=lacking(geometry),
     )
     values = {
         "transmission_error": ("mesh_phase", mesh.transmission_error),

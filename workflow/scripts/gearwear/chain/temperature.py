@@ -7,8 +7,10 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from gearwear.geometry.deviations import lacking
 from gearwear.geometry.involute import GEARS, each
 from gearwear.geometry.kinematics import curvature, mesh_force, surface_speed
+from gearwear.heat.balance import heat_flows
 from gearwear.heat.flash import contact_heat
 from gearwear.heat.modulus import hot_modulus
 from gearwear.mesh.sharing import Springs, share
@@ -19,7 +21,8 @@ _RAISED = {"friction": (1.1, 1, 1), "speed": (1, 1.1, 1), "load": (1, 1, 1.1)}
 
 
 def temperature(cfg: dict[str, Any], geometry: xr.Dataset) -> xr.Dataset:
-    """Return contact and flash temperature, friction and film, and what the largest flash temperature depends on.
+    """Return contact and flash temperature, friction and film, what the largest flash temperature depends on, and the
+    heat flows at the bulk temperature.
 
     Parameters
     ----------
@@ -37,7 +40,7 @@ def temperature(cfg: dict[str, Any], geometry: xr.Dataset) -> xr.Dataset:
         force = load_factor * mesh_force(geometry, cfg["operation"]["pinion_torque"])
         pairs = pair_stiffness(geometry, modulus, poisson, pristine, cfg["mesh_stiffness"], force)
         springs = Springs(pairs.pair_stiffness, pairs.coupling, geometry["partner"].values)
-        shared = share(springs, np.zeros(geometry.sizes["path"]), force)
+        shared = share(springs, lacking(geometry), force)
         speed = surface_speed(geometry, speed_factor * cfg["operation"]["pinion_speed"])
         return speed, contact_heat(
             shared.load_share * force / float(geometry["face_width"]),
@@ -56,7 +59,8 @@ def temperature(cfg: dict[str, Any], geometry: xr.Dataset) -> xr.Dataset:
     speed, contact = heat()
     peak = contact.flash_temperature.max()
     ratios = [heat(*factors)[1].flash_temperature.max() / peak if peak > 0 else 1.0 for factors in _RAISED.values()]
-    values = {name: ("path", value) for name, value in contact._asdict().items()}
+    flows = heat_flows(geometry, bulk, cfg["operation"], cfg["lubricant"], cfg["heat_balance"])
+    values = {name: ("path", value) for name, value in contact._asdict().items()} | flows._asdict()
     values["contact_temperature"] = ("path", bulk + contact.flash_temperature)
     values["surface_speed"] = (("gear", "path"), speed)
     values["flash_sensitivity"] = ("influence", np.array(ratios))

@@ -1,6 +1,6 @@
 """How the tooth pairs share the mesh force, and the transmission error that follows.
 
-Every pair j with its flanks worn away by E_j (m along the line of action) deflects by S - E_j as long as that is
+Every pair j whose flanks lack E_j (m along the line of action) deflects by S - E_j as long as that is
 positive, S being the common approach of the two gears. One balance of forces settles who carries what in every zone:
 the single pair, two pairs, or two pairs of which one has lost contact.
 """
@@ -77,7 +77,7 @@ def removed_by_heat(growth: np.ndarray, mode: str) -> np.ndarray:
 class Transmission(NamedTuple):
     """Load sharing and transmission error of one state of the flanks.
 
-    `profile_error` is the material removed from a pair as the transmission error sees it, `sharing_error` as load
+    `profile_error` is the material that a pair lacks as the transmission error sees it, `sharing_error` as load
     sharing sees it (m, along the path).
     """
 
@@ -104,6 +104,7 @@ def transmission(
     mode: str,
     heat: str,
     heat_in_load_sharing: bool,
+    made: np.ndarray | float = 0.0,
 ) -> Transmission:
     """Return transmission error (m, (m,)) and load sharing of the worn, hot pair.
 
@@ -115,11 +116,12 @@ def transmission(
     mode : `loaded`, the approach under load; `no_load`, the profile error alone.
     heat : see `removed_by_heat`.
     heat_in_load_sharing : whether thermal growth takes part in load sharing and elastic deflection.
+    made : material that the new pair lacks, m, (n,).
     """
     springs = springs_of(geometry, stiffness)
-    worn = wear.sum(axis=0)
-    profile_error = worn + removed_by_heat(growth, heat)
-    sharing_error = profile_error if heat_in_load_sharing else worn
+    cold = wear.sum(axis=0) + made
+    profile_error = cold + removed_by_heat(growth, heat)
+    sharing_error = profile_error if heat_in_load_sharing else cold
     loaded, carried = share(springs, profile_error, force), share(springs, sharing_error, force)
     entering, leaving = geometry["entering"].values, geometry["leaving"].values
     second = np.where(leaving < 0, 0.0, carried.load_share[leaving])

@@ -13,6 +13,7 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
+from gearwear.plumbing.bulk import BALANCE, of_case
 from gearwear.plumbing.grids import MOST_COMBINATIONS
 from gearwear.plumbing.key_types import CASE_NAME, SWEEPS
 from gearwear.plumbing.oscillator_sections import unlike_waves
@@ -44,6 +45,7 @@ def disagreements(values: dict[str, Any]) -> Iterator[Problem]:
     yield from _materials_of_contact(values)
     yield from _settling(values)
     yield from _unloaded_error(values)
+    yield from _housing(values)
     yield from _resolution(values)
     yield from _torque(values)
     yield from _oscillators(values)
@@ -86,17 +88,16 @@ def _temperatures(values: dict[str, Any]) -> Iterator[Problem]:
     initial = _at(values, "heat.initial_temperature")
     tabled = _at(values, "elasticity.law") == "table"
     for name, case in (_at(values, "cases") or {}).items():
-        bulk = _at(case, "bulk_temperature")
-        if initial is not None and bulk is not None and bulk < initial:
-            yield (
-                ("cases", name, "bulk_temperature"),
-                f"{bulk} is below heat.initial_temperature, {initial} degC; give at least that",
-            )
-        elif tabled and bulk is not None and not 20 <= bulk <= 260:
-            yield (
-                ("cases", name, "bulk_temperature"),
-                f"{bulk} is outside the table of elasticity.law table, 20 to 260 degC; use law li or linear",
-            )
+        path, (bulk, hindrance) = ("cases", name, "bulk_temperature"), of_case(values, case)
+        if hindrance:
+            yield path, hindrance
+        if bulk is None:
+            continue
+        named = f"{BALANCE}, {bulk:.1f} degC," if case["bulk_temperature"] == BALANCE else bulk
+        if initial is not None and bulk < initial:
+            yield path, f"{named} is below heat.initial_temperature, {initial} degC; give at least that"
+        elif tabled and not 20 <= bulk <= 260:
+            yield path, f"{named} is outside the table of elasticity.law table, 20 to 260 degC; use law li or linear"
 
 
 def _materials_of_contact(values: dict[str, Any]) -> Iterator[Problem]:
@@ -138,6 +139,16 @@ def _unloaded_error(values: dict[str, Any]) -> Iterator[Problem]:
             ("dynamics", "ste_amplitude"),
             f"{amplitude} compares with the loaded error of the pristine pair, and transmission_error.mode no_load has "
             "none; give harmonic",
+        )
+
+
+def _housing(values: dict[str, Any]) -> Iterator[Problem]:
+    found = _pair(values, "backlash.housing.temperature_rise", "heat.growth")
+    if found and found[0] > 0 and found[1] != "eulerian":
+        yield (
+            ("backlash", "housing", "temperature_rise"),
+            f"{found[0]} moves the shafts apart, and heat.growth {found[1]} leaves out the growth of the gear bodies "
+            "towards each other that goes with it; give heat.growth eulerian, or 0",
         )
 
 

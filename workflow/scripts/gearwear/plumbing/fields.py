@@ -120,6 +120,8 @@ FIELDS: dict[str, Field] = {
     "mesh_phase_width": Field("1", "width of the cell of the mesh phase", _PHASE),
     "entering": Field("", "index of the path node of the entering pair", _PHASE),
     "leaving": Field("", "index of the path node of the leaving pair, -1 for none", _PHASE),
+    "tip_relief": Field("m", "depth relieved from the flank", _BOTH),
+    "spacing": Field("m", "material that the pair lacks by the spacing of successive pairs", _PATH),
     # temperature
     "contact_temperature": Field("degC", "tooth contact temperature", _PATH),
     "flash_temperature": Field("K", "flash temperature rise", _PATH),
@@ -129,6 +131,9 @@ FIELDS: dict[str, Field] = {
     "load_per_width": Field("N m-1", "load of the pair per face width", _PATH),
     "surface_speed": Field("m s-1", "speed of the flank through the contact", _BOTH),
     "flash_sensitivity": Field("1", "largest flash temperature over its base value", (("influence",),)),
+    "mesh_loss": Field("W", "heat set free by the friction of the teeth", _SCALAR),
+    "churning_loss": Field("W", "heat set free by the gears in the oil", _SCALAR),
+    "convection": Field("W", "heat given off at the bulk temperature", _SCALAR),
     # deformation
     "thermal_growth": Field("m", "thermal growth of one flank along the line of action", _BOTH),
     "thermal_growth_flash": Field("m", "growth added if the whole tooth had the flash temperature rise", _BOTH),
@@ -154,12 +159,13 @@ FIELDS: dict[str, Field] = {
     "load_share_path": Field("1", "part of the mesh force on the pair at this position", _PATH),
     "elastic_deflection": Field("m", "elastic deflection of the pair", _PATH),
     "effective_stiffness": Field("N m-1", "mesh force over the deflection of the better pair", _PHASE),
-    "profile_error": Field("m", "material removed from the pair, by wear and by heat", _PATH),
-    "sharing_error": Field("m", "material removed from the pair as load sharing sees it", _PATH),
+    "profile_error": Field("m", "material that the pair lacks, by manufacture, wear and heat", _PATH),
+    "sharing_error": Field("m", "material that the pair lacks as load sharing sees it", _PATH),
     # backlash
     "backlash": Field("m", "half clearance of the entering pair", _PHASE),
     "backlash_path": Field("m", "half clearance along the path of one pair", _PATH),
     "initial_half_backlash": Field("m", "half clearance of the cold, unworn, unloaded pair", _SCALAR),
+    "centre_distance_change": Field("m", "change of the centre distance by mounting and housing", _SCALAR),
     # response
     "mesh_force": Field("N", "dynamic mesh force, mean over the sampled periods", _PHASE),
     "mesh_force_path": Field(

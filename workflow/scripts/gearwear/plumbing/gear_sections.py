@@ -18,6 +18,7 @@ from gearwear.plumbing.key_types import (
     plain,
     quantity,
 )
+from gearwear.plumbing.surroundings_sections import Housing
 
 _Distance = Annotated[float, Field(ge=1e-3, le=20.0), ReadNumber]
 _Inertia = Annotated[float, Field(gt=0.0, le=1e6), ReadNumber]
@@ -246,3 +247,7 @@ class Backlash(Section):
         shi="cosine of twice the pressure angle (after Shi et al. 2019)",
         exact="factor 1 of fixed shafts",
     )
+    centre_distance_change: Number = quantity(
+        "m", "Shafts farther apart than gear_pair.centre_distance says; seen by the backlash alone.", ge=-1e-3, le=1e-3
+    )
+    housing: Housing

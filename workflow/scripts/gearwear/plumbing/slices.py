@@ -17,6 +17,7 @@ _OSCILLATOR = ("dynamics.damping_ratio", "dynamics.torque_fluctuation", "dynamic
 _MOVED = (*_OSCILLATOR, "dynamics.start", "settling")
 _WHOLE_CHAIN = (
     "gear_pair",
+    "micro_geometry",
     "grid",
     "material",
     "elasticity",
@@ -24,6 +25,7 @@ _WHOLE_CHAIN = (
     "lubricant",
     "friction",
     "heat",
+    "heat_balance",
     "mesh_stiffness",
     "transmission_error",
     "backlash",
@@ -44,7 +46,7 @@ _HOT_STEEL = (
 )
 
 STAGES: dict[str, tuple[str, ...]] = {
-    "geometry": ("gear_pair", "grid", "material.pinion.density", "material.gear.density"),
+    "geometry": ("gear_pair", "micro_geometry", "grid", "material.pinion.density", "material.gear.density"),
     "temperature": (
         "elasticity",
         "material",
@@ -52,6 +54,7 @@ STAGES: dict[str, tuple[str, ...]] = {
         "lubricant",
         "friction",
         "mesh_stiffness",
+        "heat_balance",
         "heat.flash_coefficient",
         "case.bulk_temperature",
         "case.flash",
@@ -71,7 +74,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     "advance_wear": ("wear", "operation", "lubricant", *_HOT_STEEL),
     "mesh_stiffness": ("mesh_stiffness", *_HOT_STEEL),
     "transmission_error": ("transmission_error", "operation.pinion_torque"),
-    "backlash": ("backlash",),
+    "backlash": ("backlash", "heat.initial_temperature", "case.bulk_temperature"),
     "response": (*_EXCITED, "operation.pinion_speed"),
     "excitation": (
         "dynamics.stiffness",

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field, Strict
 
 from gearwear.plumbing.basin_sections import Basins
+from gearwear.plumbing.bulk import COLDEST, HOTTEST
 from gearwear.plumbing.calibration_sections import Calibration
 from gearwear.plumbing.gear_sections import (
     Backlash,
@@ -39,12 +40,15 @@ from gearwear.plumbing.key_types import (
     target,
 )
 from gearwear.plumbing.member_sections import Onsets, Study
+from gearwear.plumbing.micro_geometry_sections import MicroGeometry
 from gearwear.plumbing.oscillator_sections import GivenOscillator
 from gearwear.plumbing.sensitivity_sections import Sensitivity
+from gearwear.plumbing.surroundings_sections import HeatBalance
 
 MOST_CYCLES = 10**12
 _Order = Annotated[int, Field(ge=1, le=64), ReadWhole]
 _Amplitude = Annotated[float, Field(ge=0.0, le=5.0), ReadNumber]
+_Temperature = Annotated[float, Field(ge=COLDEST, le=HOTTEST), ReadNumber]
 _Phase = Annotated[float, Field(ge=-6.2832, le=6.2832), ReadNumber]
 
 
@@ -165,7 +169,9 @@ class Settling(Section):
 class Case(Section):
     """One state of temperature and wear."""
 
-    bulk_temperature: Number = quantity("degC", "Bulk temperature of both gears.", ge=-40.0, le=250.0)
+    bulk_temperature: _Temperature | Literal["balance"] = quantity(
+        "degC", "Bulk temperature of both gears; balance = that at which heat_balance closes."
+    )
     running_cycles: Whole = target(
         "Pinion revolutions of the wear chain; 0 = unworn. A whole multiple of wear.cycles_per_update.",
         "1",
@@ -281,6 +287,7 @@ class Configuration(Section):
     """Everything a run of the workflow can be told."""
 
     gear_pair: GearPair
+    micro_geometry: MicroGeometry
     grid: Grid
     material: Material
     elasticity: Elasticity
@@ -288,6 +295,7 @@ class Configuration(Section):
     lubricant: Lubricant
     friction: Friction
     heat: Heat
+    heat_balance: HeatBalance
     mesh_stiffness: MeshStiffness
     transmission_error: TransmissionError
     backlash: Backlash
