@@ -23,6 +23,7 @@ include: "workflow/rules/sweeps.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/extra_figures.smk"
 include: "workflow/rules/studies.smk"
+include: "workflow/rules/warnings.smk"
 include: "workflow/rules/maps.smk"
 include: "workflow/rules/onsets.smk"
 include: "workflow/rules/sensitivity.smk"
@@ -41,6 +42,7 @@ rule all:
         scorecard(),
         "results/parameters.html",
         "results/versions.html",
+        warned(),
 
 
 rule maps:

@@ -185,14 +185,41 @@ BAD = [
     (
         "gear_pair.module",
         3.175,
-        "3.175 is above the largest allowed value 0.1 m; give a number from 1.0e-4 to 0.1 m (1 mm is 1.0e-3 m)",
+        "3.175 is above the largest allowed value 0.1 m; give a number from 1.0e-4 to 0.1 m "
+        "(or with its unit, such as 3 mm, 65 um or 0.63 in)",
     ),
     (
         "material.gear.youngs_modulus",
         206,
         "206.0 is below the least allowed value 1.0e+8 Pa; "
-        "give a number from 1.0e+8 to 1.0e+12 Pa (1 GPa is 1.0e+9 Pa)",
+        "give a number from 1.0e+8 to 1.0e+12 Pa (or with its unit, such as 206 GPa)",
     ),
+    # units in values
+    (
+        "gear_pair.module",
+        "3175 mm",
+        "text '3175 mm' is above the largest allowed value 0.1 m; give a number from 1.0e-4 to 0.1 m "
+        "(or with its unit, such as 3 mm, 65 um or 0.63 in)",
+    ),
+    (
+        "gear_pair.bore_radius.gear",
+        "3 mmm",
+        "text '3 mmm' has an unknown unit; give a number from 1.0e-4 to 5 m or null "
+        "(or with its unit, such as 3 mm, 65 um or 0.63 in)",
+    ),
+    (
+        "operation.pinion_speed",
+        "50 Hz",
+        "text '50 Hz' has a unit that does not convert to rpm; give a number above 0 up to 200000 rpm "
+        "(or with its unit, such as 356 rad/s)",
+    ),
+    (
+        "heat.shaft_temperature_drop",
+        "20 degC",
+        "text '20 degC' is a temperature, and this is a difference of temperatures; give a number from 0 to 200 K "
+        "(or with its unit, such as 20 K)",
+    ),
+    ("dynamics.damping_ratio", "7 %", "text '7 %' is not a number; give a number from 1.0e-4 to below 1"),
     ("operation.pinion_speed", 0, "0.0 is not above 0 rpm; give a number above 0 up to 200000 rpm"),
     ("dynamics.damping_ratio", 1, "1.0 is not below 1; give a number from 1.0e-4 to below 1"),
     (
@@ -324,6 +351,13 @@ def test_a_bad_key_gives_its_message(path, value, text):
         (
             {"portraits.ste.with": [1.0, 3.5, 1.0, "x"]},
             ["portraits.ste.with[3]: text 'x' is not a number; give a number"],
+        ),
+        (
+            {"maps.temperature": ["20 degC", "60 K s"]},
+            [
+                "maps.temperature[1]: text '60 K s' has a unit that does not convert to degC; give a number degC "
+                "(or with its unit, such as 373.15 K)"
+            ],
         ),
         (
             {"portraits.ste.with": [1.0, 3.5, 1.0]},

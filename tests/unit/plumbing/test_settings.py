@@ -62,6 +62,11 @@ def test_the_input_is_left_as_it_was(raw):
         ("lubricant.pressure_viscosity", " 2.5E-8 ", 2.5e-8),
         ("operation.pinion_torque", 130, 130.0),
         ("operation.pinion_torque", ".5", 0.5),
+        ("operation.pinion_torque", "0.13 kN m", 130.0),
+        ("material.gear.youngs_modulus", "206 GPa", 206.0e9),
+        ("gear_pair.centre_distance", "165.1 mm", 0.1651),
+        ("cases.with.bulk_temperature", "373.15 K", 100.0),
+        ("maps.temperature", ["20 degC", "353.15 K", 100], [20.0, 80.0, 100.0]),
         ("wear.cycles_per_update", "1e8", 100_000_000),
         ("wear.cycles_per_update", 1.0e8, 100_000_000),
         ("grid.mesh_cells", 24.0, 24),
@@ -85,7 +90,7 @@ def test_spellings_of_yaml_and_the_command_line_are_read(raw, path, written, rea
 
 
 @pytest.mark.parametrize(
-    "value", [True, float("nan"), float("inf"), "nan", "inf", "1_0", "0x1A", "", None, [20.0], 10**400]
+    "value", [True, float("nan"), float("inf"), "nan", "inf", "1_0", "0,5", "", None, [20.0], 10**400]
 )
 def test_what_is_no_finite_number_is_refused(raw, value):
     put(raw, "gear_pair.pressure_angle", value)

@@ -10,7 +10,6 @@ from gearwear.geometry.contact_path import contact_path
 from gearwear.geometry.deviations import spacing, tip_relief
 from gearwear.geometry.involute import GEARS, equivalent_mass, gear_pair
 from gearwear.geometry.record import dataset
-from gearwear.mesh.foundation import fit_warnings
 
 
 def geometry(cfg: dict[str, Any]) -> xr.Dataset:
@@ -35,12 +34,3 @@ def geometry(cfg: dict[str, Any]) -> xr.Dataset:
         "spacing": ("path", spacing(mesh, pair.base_pitch, **made)),
     }
     return dataset(pair, mesh).assign(values)
-
-
-def beyond_fits(pair: xr.Dataset) -> list[str]:
-    """Return a sentence for every fit of the gear bodies that the pair, as `geometry` gives it, lies outside of."""
-    found = []
-    for i, name in enumerate(GEARS):
-        root, bore, angle = (float(pair[key][i]) for key in ("root_radius", "bore_radius", "rack_root_angle"))
-        found += fit_warnings(root / bore, angle, name)
-    return found

@@ -12,9 +12,11 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, Strict, Stri
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticCustomError
 
+from gearwear.plumbing.units import NUMERAL
+
 SWEEPS = ("mesh_frequency", "ste", "backlash")
 CASE_NAME = "[a-z][a-z0-9_]*"
-_NUMERAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_NUMERAL = re.compile(NUMERAL, re.ASCII)
 
 
 class Section(BaseModel):

@@ -10,10 +10,11 @@ from typing import Any
 from pydantic import TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 
+from gearwear.plumbing import derived, units
 from gearwear.plumbing.consistency import Problem, disagreements
 from gearwear.plumbing.key_types import Section, adapter, entry_type, free_names, is_section, keys, unit_of
 from gearwear.plumbing.study_sections import Configuration
-from gearwear.plumbing.wording import allowed, dotted, listed, refusal, shown
+from gearwear.plumbing.wording import allowed, dotted, listed, refusal, shown, with_units
 
 _MOST_LINES = 200
 _LONGEST_KEY = 60
@@ -36,6 +37,7 @@ class ConfigError(ValueError):
 def check(raw: Any) -> dict[str, Any]:
     """Return the configuration as nested dicts of builtin values, keys in the order of the models.
 
+    What is null and follows from other values gets its number (`gearwear.plumbing.derived`).
     Numbers may be spelled as text (`1e-8` is text in YAML 1.1), whole numbers as 2.1e+9.
 
     Parameters
@@ -48,6 +50,8 @@ def check(raw: Any) -> dict[str, Any]:
     """
     problems: list[Problem] = []
     values = _read_section(Configuration, raw, (), problems)
+    if not problems:
+        values = derived.resolved(values)
     told = {path[:depth] for path, _ in problems for depth in range(len(path) + 1)}
     problems += [problem for problem in disagreements(values) if problem[0] not in told]
     if problems:
@@ -101,8 +105,12 @@ def _read_key(field: FieldInfo, raw: Any, path: tuple, problems: list[Problem]) 
 
 
 def _read_value(reader: TypeAdapter, unit: str | None, raw: Any, path: tuple, problems: list[Problem]) -> Any:
+    known = len(problems)
+    plain = _without_unit(reader, unit, raw, path, problems)
+    if len(problems) > known:
+        return _UNUSABLE
     try:
-        return reader.validate_python(raw)
+        return reader.validate_python(plain)
     except ValidationError as refused:
         schema = reader.json_schema()
         told = set()
@@ -111,8 +119,21 @@ def _read_value(reader: TypeAdapter, unit: str | None, raw: Any, path: tuple, pr
             entry = tuple(f"[{part}]" for part in error["loc"] if isinstance(part, int))
             if entry not in told:
                 told.add(entry)
-                problems.append(((*path, *entry), refusal(error, schema["items"] if entry else schema, unit)))
+                given = raw[error["loc"][0]] if entry else raw
+                problems.append(((*path, *entry), refusal(error, given, schema["items"] if entry else schema, unit)))
         return _UNUSABLE
+
+
+def _without_unit(reader: TypeAdapter, unit: str | None, raw: Any, path: tuple, problems: list[Problem]) -> Any:
+    def convert(value, entry, schema):
+        try:
+            return units.plain(value, unit)
+        except units.UnitError as refused:
+            problems.append(((*path, *entry), f"{shown(value)} {refused}; {with_units(schema, unit)}"))
+
+    if isinstance(raw, list):
+        return [convert(value, (f"[{place}]",), reader.json_schema().get("items")) for place, value in enumerate(raw)]
+    return convert(raw, (), reader.json_schema())
 
 
 def _grouped(raw: Any, path: tuple, remedy: str, problems: list[Problem]) -> Mapping:

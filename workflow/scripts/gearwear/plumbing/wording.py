@@ -8,11 +8,13 @@ from collections.abc import Mapping
 from decimal import Decimal
 from typing import Any
 
+from gearwear.plumbing.units import example
+
 _PLAIN_KEY = re.compile(r"[A-Za-z0-9_-]{1,60}", re.ASCII)
 _LONGEST_TEXT = 40
 _LARGEST_SHOWN = 10**30
 _KINDS = {"number": "a number", "integer": "a whole number", "boolean": "true or false", "string": "a name"}
-_CONVERSIONS = {"m": "1 mm is 1.0e-3 m", "Pa": "1 GPa is 1.0e+9 Pa", "Pa s": "1 mPa s is 1.0e-3 Pa s"}
+_MIXED_UP = ("m", "Pa", "Pa s", "1/Pa")  # units whose prefixes are often left out
 _REASONS = {
     "not_a_number": "is not a number",
     "not_finite": "is not a finite number",
@@ -117,12 +119,21 @@ def allowed(schema: dict[str, Any], unit: str | None = None) -> str:
     return " ".join(filter(None, [_KINDS[kind], span(schema), unit if unit and unit != "1" else ""]))
 
 
-def refusal(error: Mapping[str, Any], schema: dict[str, Any], unit: str | None) -> str:
-    """Return the message for one pydantic error of a key with the JSON schema and unit given."""
+def with_units(schema: dict[str, Any], unit: str) -> str:
+    """Return in words what a key allows, with an example of a value that carries its unit."""
+    return f"give {allowed(schema, unit)} (or with its unit, such as {example(unit)})"
+
+
+def refusal(error: Mapping[str, Any], given: Any, schema: dict[str, Any], unit: str | None) -> str:
+    """Return the message for one pydantic error of a key with the JSON schema and unit given.
+
+    Parameters
+    ----------
+    given : the value as it was written.
+    """
     limits = {name: _bound(limit) for name, limit in error.get("ctx", {}).items() if name in _BOUNDS}
     reason = _REASONS.get(error["type"], "cannot be used").format(**limits)
     out = error["type"] in _OUT_OF_RANGE
-    with_unit = f" {unit}" if out and unit and unit != "1" else ""
-    advice = f"give {allowed(schema, unit)}"
-    hint = f" ({_CONVERSIONS[unit]})" if out and unit in _CONVERSIONS else ""
-    return f"{shown(error['input'])} {reason}{with_unit}; {advice}{hint}"
+    value = given if isinstance(given, str) and example(unit) else error["input"]
+    advice = with_units(schema, unit) if out and unit in _MIXED_UP else f"give {allowed(schema, unit)}"
+    return f"{shown(value)} {reason}{f' {unit}' if out and example(unit) else ''}; {advice}"
