@@ -26,6 +26,7 @@ include: "workflow/rules/onsets.smk"
 include: "workflow/rules/sensitivity.smk"
 include: "workflow/rules/validation.smk"
 include: "workflow/rules/calibration.smk"
+include: "workflow/rules/handover.smk"
 
 
 rule all:
@@ -69,3 +70,8 @@ rule calibrate:
         "results/calibration/parameters.csv",
         "results/calibration/claims.csv",
         "results/figures/calibration.svg",
+
+
+rule handover:
+    input:
+        expand("results/{case}/handover/dictionary.csv", case=config["cases"]),

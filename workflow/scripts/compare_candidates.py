@@ -6,7 +6,7 @@ import yaml
 
 from gearwear.calibration import table
 from gearwear.calibration.verdict import compared
-from gearwear.plumbing import stage, store
+from gearwear.plumbing import stage, store, tables
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -17,13 +17,12 @@ def main(job):
         claims = yaml.safe_load(file)["claims"]
     found = compared(job.params.cfg, claims, [store.load(path) for path in job.input.searches])
     store.save(found, job)
-    tables = {
+    written = {
         job.output.parameters: table.parameters(found, job.params.cfg["calibration"]),
         job.output.claims: table.claims(found, claims),
     }
-    for path, rows in tables.items():
-        with store.atomic(path) as temporary:
-            table.write(rows, temporary)
+    for path, rows in written.items():
+        tables.write_csv(path, rows[0], (row.values() for row in rows))
     for name, row in zip(found["member"].values, found["member_agrees"].values, strict=True):
         stage.announce(f"{name}: agrees with {row.sum()} of {row.size} claims about states and motion")
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -48,14 +47,6 @@ def claims(found: xr.Dataset, statements: Sequence[Mapping[str, Any]]) -> list[d
         row |= {"share_of_good": f"{agrees[chosen, i].mean():.3f}", "share_of_all": f"{agrees[:, i].mean():.4f}"}
         rows.append(row)
     return rows
-
-
-def write(rows: Sequence[Mapping[str, str]], path: str) -> None:
-    """Write the rows as CSV."""
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
 
 
 def good(found: xr.Dataset) -> np.ndarray:

@@ -28,6 +28,7 @@ _SCALAR, _GEAR = ((),), (("gear",),)
 _PATH, _BOTH = (("path",),), (("gear", "path"),)
 _ROW, _COLUMN, _PLANE = (("row",),), (("column",),), (("row", "column"),)
 _PHASE, _POINT = (("mesh_phase",),), (("point",), ())
+_CYCLE, _CYCLES = (("wear_cycle",),), (("wear_cycle", "mesh_phase"),)
 _MEMBER, _EVENT, _WAYS, _MEMBERS = (("member",),), (("event",),), (("variant", "event"),), (("member", "event"),)
 _STATE = (("case",), ("member", "case"))
 _NODE, _BRANCH = (("node",),), (("branch",),)
@@ -58,6 +59,8 @@ FIELDS: dict[str, Field] = {
     "pair": Field("", "pair in contact", (("pair",),)),
     "influence": Field("", "quantity raised by ten per cent", (("influence",),)),
     "harmonic": Field("1", "order of the mesh frequency", (("harmonic",),)),
+    "wear_cycle": Field("1", "number of the wear cycle", _CYCLE),
+    "mesh_time": Field("s", "time since a pair entered, at the running speed", _PHASE),
     # geometry
     "teeth": Field("1", "number of teeth", _GEAR),
     "module": Field("m", "module", _SCALAR),
@@ -105,11 +108,11 @@ FIELDS: dict[str, Field] = {
     "involute_error": Field("m", "distance of the hot flank from the hot involute, negative outside", _BOTH),
     "base_circle_growth": Field("m", "radial thermal growth of the base circle", _GEAR),
     # wear
-    "wear_depth": Field("m", "wear depth normal to the flank", _BOTH),
+    "wear_depth": Field("m", "wear depth normal to the flank", _BOTH + (("wear_cycle", "gear", "path"),)),
     "wear_per_revolution": Field("m", "wear depth added per revolution of the pinion in the last block", _BOTH),
-    "running_cycles": Field("1", "revolutions of the pinion so far", _SCALAR + _ROW),
+    "running_cycles": Field("1", "revolutions of the pinion so far", _SCALAR + _ROW + _CYCLE),
     # mesh stiffness
-    "mesh_stiffness": Field("N m-1", "mesh stiffness", _PHASE),
+    "mesh_stiffness": Field("N m-1", "mesh stiffness", _PHASE + _CYCLES),
     "pair_stiffness": Field("N m-1", "stiffness of one tooth pair", _PATH),
     "pair_coupling": Field("m N-1", "deflection of a pair under unit load on the other pair", _PATH),
     "hertz_compliance": Field("m N-1", "compliance of the Hertz contact", _PATH),
@@ -119,15 +122,15 @@ FIELDS: dict[str, Field] = {
     "foundation_compliance": Field("m N-1", "compliance of the gear body", _BOTH),
     "youngs_modulus": Field("Pa", "modulus of elasticity at the bulk temperature", _GEAR),
     # transmission error and load sharing
-    "transmission_error": Field("m", "loaded static transmission error", _PHASE),
+    "transmission_error": Field("m", "loaded static transmission error", _PHASE + _CYCLES),
     "load_sharing_factor": Field("1", "part of the mesh force on the pair", (("mesh_phase", "pair"),)),
     "load_share_path": Field("1", "part of the mesh force on the pair at this position", _PATH),
     "elastic_deflection": Field("m", "elastic deflection of the pair", _PATH),
-    "effective_stiffness": Field("N m-1", "mesh force over the deflection of the better pair", _PHASE),
+    "effective_stiffness": Field("N m-1", "mesh force over the deflection of the better pair", _PHASE + _CYCLES),
     "profile_error": Field("m", "material removed from the pair, by wear and by heat", _PATH),
     "sharing_error": Field("m", "material removed from the pair as load sharing sees it", _PATH),
     # backlash
-    "backlash": Field("m", "half clearance of the entering pair", _PHASE),
+    "backlash": Field("m", "half clearance of the entering pair", _PHASE + _CYCLES),
     "backlash_path": Field("m", "half clearance along the path of one pair", _PATH),
     "initial_half_backlash": Field("m", "half clearance of the cold, unworn, unloaded pair", _SCALAR),
     # response
@@ -140,7 +143,7 @@ FIELDS: dict[str, Field] = {
     ),
     "velocity": Field("m s-1", "rate of change of the displacement", (("response_period", "path"),)),
     "mesh_frequency_ratio": Field("1", "mesh frequency over natural frequency", _SCALAR),
-    "natural_frequency": Field("rad s-1", "natural frequency of the linear mesh", _SCALAR),
+    "natural_frequency": Field("rad s-1", "natural frequency of the linear mesh", _SCALAR + _CYCLE),
     "mean_force": Field("N", "mean mesh force", _SCALAR),
     "force_parameter": Field("1", "mean mesh force over mean stiffness times initial half backlash", _SCALAR),
     "error_amplitude": Field("1", "first harmonic of the error excitation over initial half backlash", _SCALAR),
@@ -251,7 +254,7 @@ FIELDS: dict[str, Field] = {
     "member_remark_with": Field("", "the same in words", _MEMBERS),
     # sensitivity of the model
     "case": Field("", "state of temperature and wear", (("case",),)),
-    "mean_stiffness": Field("N m-1", "mean mesh stiffness in the equation of motion", _STATE, None, True),
+    "mean_stiffness": Field("N m-1", "mean mesh stiffness in the equation of motion", _STATE + _CYCLE, None, True),
     "stiffness_ripple": Field("1", "first harmonic of the mesh stiffness over its mean", _STATE, None, True),
     "mean_half_backlash": Field("m", "half clearance, mean over the mesh", _STATE, None, True),
     "deepest_wear": Field(

@@ -71,6 +71,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     "mesh_stiffness": ("mesh_stiffness", *_HOT_STEEL),
     "transmission_error": ("transmission_error", "operation.pinion_torque"),
     "backlash": ("backlash",),
+    "handover": ("dynamics.stiffness",),
     "response": (*_EXCITED, "operation.pinion_speed"),
     "sweep": (*_EXCITED, "sweeps.{sweep}"),
     "branches": ("dynamics", "operation.pinion_torque", "sweeps.{sweep}", "branches"),

@@ -50,10 +50,11 @@ _MADE_BY = {
     "sensitivity": ("compare_members",),
     "searches": ("search_parameters",),
     "calibration": ("compare_candidates",),
+    "handover": ("gather_handover",),
 }
 
 # names of nothing else
-_SINGLE = ("geometry", "onsets", "onset_variants", "onset_shifts", "measures", "sensitivity", "calibration")
+_SINGLE = ("geometry", "onsets", "onset_variants", "onset_shifts", "measures", "sensitivity", "calibration", "handover")
 
 
 def load(path: str | Path) -> xr.Dataset:
