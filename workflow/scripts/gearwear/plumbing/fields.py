@@ -207,6 +207,7 @@ FIELDS: dict[str, Field] = {
     "orbit_velocity": Field(
         "1", "velocity along the orbit in units of initial half backlash", (("point", "time"),), None, True
     ),
+    "orbit_force": Field("1", "mesh force along the orbit over mean mesh force", (("point", "time"),), None, True),
     "orbit_period": Field("1", "mesh periods since the orbit began", (("time",),)),
     # maps
     "bulk_temperature": Field("degC", "bulk temperature of both gears", _ROW),

@@ -98,6 +98,7 @@ STAGES: dict[str, tuple[str, ...]] = {
         *(f"calibration.{name}" for name in Calibration.model_fields if name != "islands"),
     ),
     "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
+    "motions": ("dynamics", "operation.pinion_torque", "sweeps.{sweep}"),
     "basins": (
         *_EXCITED,
         "sweeps.{sweep}",
@@ -115,6 +116,7 @@ _PASSED_OVER = {
     "calibration": ("cases",),
     "branches": ("cases", "points"),
     "portraits": ("cases", "first", "last", "points"),
+    "motions": ("cases", "first", "last", "points"),
     "basins": ("cases", "first", "last", "points"),
 }
 

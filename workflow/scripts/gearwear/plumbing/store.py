@@ -40,6 +40,7 @@ _MADE_BY = {
     "down": ("carry_sweep",),
     "branches": ("continue_orbits",),
     "portraits": ("trace_portraits",),
+    "motions": ("trace_motions",),
     "basins": ("map_basins",),
     "tiles": ("map_tile",),
     "maps": ("join_map",),
@@ -100,8 +101,8 @@ def _makers(path: Path) -> tuple[str, ...]:
         return _MADE_BY["tiles" if above == "tiles" else "parts"]
     if re.fullmatch(r"q\d{3}", path.stem) or folder in ("branches", "portraits", "basins", "maps", "searches"):
         return _MADE_BY.get(folder, ())
-    if above == "sweeps" and folder in ("restart", "up", "down"):
-        return _MADE_BY[folder]
+    if above in ("sweeps", "motions") and folder in ("restart", "up", "down"):
+        return _MADE_BY[folder if above == "sweeps" else above]
     return _MADE_BY[path.stem] if path.stem in ("temperature", "deformation") else ()
 
 
