@@ -121,6 +121,20 @@ def test_the_report_holds_every_figure_and_page_with_its_caption(smoke_run):
         assert word in page or json.dumps(word)[1:-1] in page, word
 
 
+def test_a_case_is_handed_over_with_every_wear_cycle(smoke_run):
+    run = smoke_run.snakemake("-j2", *SMOKE, "--", "results/with/handover/dictionary.csv")
+    assert run.returncode == 0, run.stdout
+    folder = smoke_run.folder / "results" / "with" / "handover"
+    assert {path.name for path in folder.iterdir()} == {
+        "handover.nc",
+        *(f"{table}.csv" for table in ("mesh", "wear", "states", "gears", "dictionary")),
+    }
+    with open(folder / "states.csv", newline="") as file:
+        states = list(csv.DictReader(file))
+    assert [row["wear_cycle"] for row in states] == ["0", "1", "2", "3"]
+    assert float(states[-1]["running_cycles"]) > float(states[0]["running_cycles"]) == 0
+
+
 def test_another_folder_gives_the_same_bytes(smoke_run, tmp_path):
     targets = [
         "results/with/response/q001.nc",

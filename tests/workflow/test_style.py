@@ -12,8 +12,8 @@ ROOT = Path(__file__).resolve().parents[2]
 @pytest.mark.parametrize(
     "command",
     [
-        ("ruff", "check", "-q", "workflow", "tests"),
-        ("ruff", "format", "-q", "--check", "workflow", "tests"),
+        ("ruff", "check", "-q", "workflow", "tests", "examples"),
+        ("ruff", "format", "-q", "--check", "workflow", "tests", "examples"),
         ("snakefmt", "--check", "Snakefile", "workflow/rules"),
     ],
     ids=["ruff-check", "ruff-format", "snakefmt"],

@@ -106,7 +106,9 @@ rule measure_outcome:
     params:
         cfg=lambda wildcards: {
             "outcome": cfg("outcome")(wildcards),
-            "update": updates_of(member(wildcards.root), case_of_study(wildcards.root)),
+            "update": updates_of(
+                member(wildcards.root), case_of_study(wildcards.root)
+            ),
         },
         code=code("measure_outcome.py"),
     message:

@@ -18,11 +18,11 @@ def main(job):
         claims = yaml.safe_load(file)["claims"]
     found = compared(job.params.cfg, claims, [store.load(path) for path in job.input.searches])
     store.save(found, job)
-    tables = {
+    written = {
         job.output.parameters: table.parameters(found, job.params.cfg["calibration"]),
         job.output.claims: table.claims(found, claims),
     }
-    for path, rows in tables.items():
+    for path, rows in written.items():
         write_rows(rows, path)
     for name, row in zip(found["member"].values, found["member_agrees"].values, strict=True):
         stage.announce(f"{name}: agrees with {row.sum()} of {row.size} claims about states and motion")

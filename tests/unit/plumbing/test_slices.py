@@ -10,7 +10,7 @@ import yaml
 from gearwear.plumbing.slices import STAGES, slice_of
 
 ROOT = Path(__file__).resolve().parents[3]
-BY_NAME = ("sweep", "branches", "portraits", "basins", "given_excitation")
+BY_NAME = ("sweep", "branches", "portraits", "motions", "basins", "given_excitation")
 CHAIN = (
     "temperature",
     "deformation",
@@ -100,7 +100,10 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("wear.cycles_per_update", {"advance_wear"}),
         ("dynamics.clearance", {"response", "excitation"} | MAPS),
         ("dynamics.start.at", {"response", "sweep", "onsets", "portraits"} | MAPS),
-        ("dynamics.damping_ratio", {"response", "sweep", "branches", "onsets", "portraits", "basins"} | MAPS),
+        (
+            "dynamics.damping_ratio",
+            {"response", "sweep", "branches", "onsets", "portraits", "motions", "basins"} | MAPS,
+        ),
         ("oscillators.with.mean_force", {"given_excitation"}),
         ("oscillators.without.mean_force", set()),
         ("settling.largest_period", {"response", "sweep", "onsets", "portraits", "basins"} | MAPS),
@@ -110,7 +113,7 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("cases.without.bulk_temperature", set()),
         ("sweeps.backlash.points", {"sweep"}),
         ("sweeps.backlash.first", {"sweep", "branches"}),
-        ("sweeps.backlash.mesh_frequency", {"sweep", "branches", "portraits", "basins"}),
+        ("sweeps.backlash.mesh_frequency", {"sweep", "branches", "portraits", "motions", "basins"}),
         ("sweeps.ste.points", set()),
         ("sweeps.backlash.cases", set()),
         ("sweeps.order", {"onsets", "onset_shifts"}),
@@ -129,9 +132,13 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("portraits.mesh_frequency.without", set()),
         ("figures.diagonal", set()),
         ("maps.case", set()),
+        (
+            "dynamics.stiffness",
+            {"response", "sweep", "branches", "onsets", "portraits", "motions", "basins", "handover"} | MAPS,
+        ),
         ("maps.mesh_frequency.points", MAPS),
         ("maps.temperature", {"map_temperature"}),
-        ("sweeps.backlash.reading", {"sweep", "branches", "portraits", "map_backlash", "basins"}),
+        ("sweeps.backlash.reading", {"sweep", "branches", "portraits", "motions", "map_backlash", "basins"}),
     ],
 )
 def test_a_key_reaches_its_stages_and_no_other(config, keys, stages):

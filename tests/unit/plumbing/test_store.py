@@ -280,6 +280,8 @@ def test_lineage_of_the_inputs_is_written_beside_the_own(tmp_path):
         ("results/with/sweeps/down/temperature.nc", ("carry_sweep",)),
         ("results/with/portraits/backlash.nc", ("trace_portraits",)),
         ("results/with/branches/backlash.nc", ("continue_orbits",)),
+        ("results/with/motions/up/backlash.nc", ("trace_motions",)),
+        ("results/with/handover/handover.nc", ("gather_handover",)),
         ("results/with/sweeps/parts/backlash/1-of-4.nc", ("sweep_part",)),
         ("results/with/basins/backlash.nc", ("map_basins",)),
         ("results/with/maps/tiles/ste/1-of-4.nc", ("map_tile", "map_temperature")),

@@ -7,6 +7,13 @@ from gearwear.plumbing.closure import SCRIPTS
 ROWS = [("a.key", "1.5", "m", "length of < and &"), ("list", "[1, 2]", "-", 'two, "quoted"')]
 
 
+def test_numbers_of_a_csv_read_back_as_the_same(tmp_path):
+    values = [0.1, 1 / 3, 6.02214076e23, 5e-324]
+    tables.write_csv(str(tmp_path / "numbers.csv"), ("value",), ([value] for value in values))
+    with open(tmp_path / "numbers.csv", newline="") as file:
+        assert [float(row["value"]) for row in csv.DictReader(file)] == values
+
+
 def test_a_table_is_written_as_csv_and_as_a_page_of_its_own(tmp_path):
     template = str(SCRIPTS.parent / "report" / "table.html.j2")
     output = SimpleNamespace(csv=str(tmp_path / "table.csv"), html=str(tmp_path / "table.html"))

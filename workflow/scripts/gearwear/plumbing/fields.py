@@ -88,6 +88,7 @@ FIELDS: dict[str, Field] = {
     "reference_mesh_stiffness": Field("N m-1", "mesh stiffness of the reference case", _PHASE),
     "reference_effective_stiffness": Field("N m-1", "effective stiffness of the reference case", _PHASE),
     "reference_transmission_error": Field("m", "transmission error of the reference case", _PHASE),
+    "mesh_time": Field("s", "time since a pair entered, at the running speed", _PHASE),
     # geometry
     "teeth": Field("1", "number of teeth", _GEAR),
     "module": Field("m", "module", _SCALAR),
@@ -252,6 +253,7 @@ FIELDS: dict[str, Field] = {
     "orbit_velocity": Field(
         "1", "velocity along the orbit in units of initial half backlash", (("point", "time"),), None, True
     ),
+    "orbit_force": Field("1", "mesh force along the orbit over mean mesh force", (("point", "time"),), None, True),
     "orbit_period": Field("1", "mesh periods since the orbit began", (("time",),)),
     # maps
     "bulk_temperature": Field("degC", "bulk temperature of both gears", _ROW),

@@ -75,6 +75,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     "mesh_stiffness": ("mesh_stiffness", *_HOT_STEEL),
     "transmission_error": ("transmission_error", "operation.pinion_torque"),
     "backlash": ("backlash", "heat.initial_temperature", "case.bulk_temperature"),
+    "handover": ("dynamics.stiffness",),
     "response": (*_EXCITED, "operation.pinion_speed"),
     "excitation": (
         "dynamics.stiffness",
@@ -132,6 +133,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     ),
     "warnings": ("lubricant.pressure_viscosity", "lubricant.composite_roughness", "wear.law"),
     "portraits": (*_MOVED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
+    "motions": (*_OSCILLATOR, "sweeps.{sweep}"),
     "basins": (
         *_OSCILLATOR,
         "settling",
@@ -153,6 +155,7 @@ _PASSED_OVER = {
     "calibration": ("cases",),
     "branches": ("cases", "points"),
     "portraits": ("cases", "first", "last", "points"),
+    "motions": ("cases", "first", "last", "points"),
     "basins": ("cases", "first", "last", "points"),
 }
 

@@ -41,6 +41,7 @@ _MADE_BY = {
     "down": ("carry_sweep",),
     "branches": ("continue_orbits",),
     "portraits": ("trace_portraits",),
+    "motions": ("trace_motions",),
     "basins": ("map_basins",),
     "chains": ("run_chain",),
     "tiles": ("map_tile", "map_temperature"),
@@ -55,6 +56,7 @@ _MADE_BY = {
     "sensitivity": ("compare_members",),
     "searches": ("search_parameters",),
     "calibration": ("compare_candidates",),
+    "handover": ("gather_handover",),
 }
 
 # names of nothing else
@@ -70,6 +72,7 @@ _SINGLE = (
     "study",
     "sensitivity",
     "calibration",
+    "handover",
 )
 
 
@@ -123,8 +126,8 @@ def _makers(path: Path) -> tuple[str, ...]:
         "searches",
     ):
         return _MADE_BY.get(folder, ())
-    if above == "sweeps" and folder in ("restart", "up", "down"):
-        return _MADE_BY[folder]
+    if above in ("sweeps", "motions") and folder in ("restart", "up", "down"):
+        return _MADE_BY[folder if above == "sweeps" else above]
     return _MADE_BY[path.stem] if path.stem in ("temperature", "deformation") else ()
 
 

@@ -1,20 +1,18 @@
-"""A table as CSV and as a page that needs no other file."""
+"""Tables as CSV, and as a page that needs no other file."""
 
 from __future__ import annotations
 
 import csv
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from gearwear.plumbing import store
 
 
 def write_rows(rows: Sequence[Mapping[str, str]], path: str) -> None:
     """Write rows with the same keys, at least one, as CSV, complete or not at all."""
-    with store.atomic(path) as temporary, open(temporary, "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
+    write_csv(path, rows[0], (row.values() for row in rows))
 
 
 def write(job, title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
@@ -31,7 +29,12 @@ def write(job, title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]
     rows = list(rows)
     environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
     template = environment.from_string(Path(job.input.template).read_text(encoding="utf-8"))
-    with store.atomic(job.output.csv) as table, store.atomic(job.output.html) as page:
-        with open(table, "w", encoding="utf-8", newline="") as file:
-            csv.writer(file, lineterminator="\n").writerows([columns, *rows])
+    write_csv(job.output.csv, columns, rows)
+    with store.atomic(job.output.html) as page:
         Path(page).write_text(template.render(title=title, columns=columns, rows=rows), encoding="utf-8")
+
+
+def write_csv(path: str, columns: Iterable[str], rows: Iterable[Iterable[Any]]) -> None:
+    """Write a table as CSV, complete or not at all; a number as the shortest text that reads back as the same one."""
+    with store.atomic(path) as temporary, open(temporary, "w", encoding="utf-8", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows([columns, *rows])
