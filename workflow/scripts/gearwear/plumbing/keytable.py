@@ -36,10 +36,10 @@ study write an overlay with only the keys that differ and name it after the firs
 
 Sections are merged key by key, lists are replaced; `smoke.yaml` and the files in `presets/` are such overlays.
 A plain number is in the unit of its key, SI except rpm, deg and degC, and may be written `1.0e-8` or `1e-8`.
-Text with a unit, `3 mm`, `206 GPa`, `9.4 mPa s`, `373 K`, `0.2 kN m`, is converted (by `pint`) to the last bit as if the
-number stood there. Every start checks the whole configuration and lists all its problems in one message,
-each with its key, its value and what is allowed. The column "re-runs" names the stages that read a key;
-stages that use their results follow.
+Text with a unit, `3 mm`, `206 GPa`, `9.4 mPa s`, `373 K`, `0.2 kN m`, is converted (by `pint`) to the last bit
+as if the number stood there. Every start checks the whole configuration and lists all its problems in one
+message, each with its key, its value and what is allowed. The column "re-runs" names the stages that read a
+key; stages that use their results follow.
 
 The tables below are generated: `PYTHONPATH=workflow/scripts python -m gearwear.plumbing.keytable`.
 """
