@@ -22,6 +22,16 @@ def figures():
     )
 
 
+def followed(sweep):
+    """The branches of periodic orbits along a sweep, which model torsional alone has."""
+    if config["dynamics"]["model"] != "torsional":
+        return []
+    return [
+        f"results/{case}/branches/{sweep}.nc"
+        for case in config["sweeps"][sweep]["cases"]
+    ]
+
+
 def basin_figures():
     """The basins of every case and sweep that the configuration lists values for."""
     return [
@@ -377,10 +387,7 @@ rule plot_frequency_sweep:
             f"results/{case}/sweeps/down/mesh_frequency.nc"
             for case in config["sweeps"]["mesh_frequency"]["cases"]
         ],
-        branches=[
-            f"results/{case}/branches/mesh_frequency.nc"
-            for case in config["sweeps"]["mesh_frequency"]["cases"]
-        ],
+        branches=followed("mesh_frequency"),
         claims=CLAIMS,
         style=STYLE,
     output:
@@ -486,10 +493,7 @@ rule plot_ste_sweep:
             f"results/{case}/sweeps/down/ste.nc"
             for case in config["sweeps"]["ste"]["cases"]
         ],
-        branches=[
-            f"results/{case}/branches/ste.nc"
-            for case in config["sweeps"]["ste"]["cases"]
-        ],
+        branches=followed("ste"),
         claims=CLAIMS,
         style=STYLE,
     output:
@@ -557,10 +561,7 @@ rule plot_backlash_sweep:
             f"results/{case}/sweeps/down/backlash.nc"
             for case in config["sweeps"]["backlash"]["cases"]
         ],
-        branches=[
-            f"results/{case}/branches/backlash.nc"
-            for case in config["sweeps"]["backlash"]["cases"]
-        ],
+        branches=followed("backlash"),
         claims=CLAIMS,
         style=STYLE,
     output:

@@ -7,7 +7,7 @@ from typing import Any
 import xarray as xr
 
 from gearwear.geometry.contact_path import contact_path
-from gearwear.geometry.involute import GEARS, equivalent_mass, gear_pair
+from gearwear.geometry.involute import GEARS, disc_mass, equivalent_mass, gear_pair
 from gearwear.geometry.record import dataset
 from gearwear.mesh.foundation import fit_warnings
 
@@ -25,7 +25,8 @@ def geometry(cfg: dict[str, Any]) -> xr.Dataset:
     pair = gear_pair(**settings)
     mesh = contact_path(pair, cfg["grid"]["mesh_cells"])
     moments, mass = equivalent_mass(pair, density, inertia)
-    return dataset(pair, mesh).assign({"moment_of_inertia": ("gear", moments), "equivalent_mass": mass})
+    bodies = {"mass": ("gear", disc_mass(pair, density)), "moment_of_inertia": ("gear", moments)}
+    return dataset(pair, mesh).assign(bodies | {"equivalent_mass": mass})
 
 
 def beyond_fits(pair: xr.Dataset) -> list[str]:

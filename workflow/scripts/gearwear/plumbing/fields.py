@@ -76,6 +76,7 @@ FIELDS: dict[str, Field] = {
     "rack_root_angle": Field("rad", "half tooth angle on the root circle, rack formula of the peers", _GEAR),
     "straight_root_angle": Field("rad", "half tooth angle on the root circle, straight root", _GEAR),
     "generated_root_angle": Field("rad", "half tooth angle on the root circle, generated fillet", _GEAR),
+    "mass": Field("kg", "mass of a disc of the reference radius less the bore", _GEAR),
     "moment_of_inertia": Field("kg m2", "polar moment of inertia", _GEAR),
     "equivalent_mass": Field("kg", "equivalent mass on the line of action", _SCALAR),
     "line_of_action": Field("m", "distance between the base tangent points", _SCALAR),
