@@ -212,7 +212,7 @@ def _series(oscillator, state, periods, first_period, tangent, phases, detail):
     starts, *table = series_table(oscillator, phases)
     tangent = tangent / np.linalg.norm(tangent)
     states, maps, growth, records, visits, status = series_flow.run(
-        oscillator.linear_part,
+        tuple(oscillator.linear_part),
         tuple(table),
         oscillator.torque.frequency_ratio,
         state,

@@ -105,8 +105,8 @@ def run(linear, table, ratio, state, direction, first_period, periods, detail, s
 
     Parameters
     ----------
-    linear : translational.LinearPart
-    table : series_table.SeriesTable but its starts
+    linear : the three arrays of translational.LinearPart
+    table : the arrays of series_table.SeriesTable but its starts
     ratio : frequency of the external torque over that of the mesh
     state, direction : (2 n,) at mesh phase 0, and a tangent vector of length 1; the direction is updated in place
     first_period, periods : index of the first period, and their number
