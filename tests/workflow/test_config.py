@@ -113,8 +113,8 @@ BAD = [
     (
         "wear.damping_ratio",
         0.1,
-        "unknown key (the key of that name is dynamics.damping_ratio, onsets.box.damping_ratio or "
-        "sensitivity.damping_ratio)",
+        "unknown key (the key of that name is dynamics.damping_ratio, dynamics.bearings.pinion.damping_ratio or "
+        "dynamics.bearings.gear.damping_ratio)",
     ),
     (
         "half_backlash",
@@ -426,8 +426,8 @@ def test_a_bad_key_gives_its_message(path, value, text):
             {"dynamics": DROP, "dynamic": {}},
             [
                 "dynamic: unknown key (did you mean dynamics?)",
-                "dynamics: missing section; give its keys reference_case, damping_ratio, stiffness, harmonics, "
-                "ste_amplitude, clearance, torque_fluctuation, tolerance and start",
+                "dynamics: missing section; give its keys model, reference_case, damping_ratio, stiffness, harmonics, "
+                "ste_amplitude, clearance, torque_fluctuation, bearings, tolerance and start",
             ],
         ),
     ],

@@ -83,6 +83,8 @@ def cfg(stage):
             raise WorkflowError(
                 f"config: {stage} finds no {error} for case {case}; see config/README.md"
             ) from None
+        except ValueError as error:
+            raise WorkflowError(str(error)) from None
 
     return cut
 

@@ -56,6 +56,13 @@ def portrait_figures():
     ]
 
 
+def followed(sweep):
+    """The branches of periodic orbits along a sweep, which model torsional alone has."""
+    if config["dynamics"]["model"] != "torsional":
+        return []
+    return [f"results/{case}/branches/{sweep}.nc" for case in swept_in(sweep)]
+
+
 def basin_figures():
     """The basins of every case and sweep that the configuration lists values for."""
     return [
@@ -426,10 +433,7 @@ rule plot_frequency_sweep:
             f"results/{case}/sweeps/down/mesh_frequency.nc"
             for case in swept_in("mesh_frequency")
         ],
-        branches=[
-            f"results/{case}/branches/mesh_frequency.nc"
-            for case in swept_in("mesh_frequency")
-        ],
+        branches=followed("mesh_frequency"),
         claims=paper_windows(),
         style=STYLE,
     output:
@@ -523,7 +527,7 @@ rule plot_ste_sweep:
         restart=[f"results/{case}/sweeps/restart/ste.nc" for case in swept_in("ste")],
         up=[f"results/{case}/sweeps/up/ste.nc" for case in swept_in("ste")],
         down=[f"results/{case}/sweeps/down/ste.nc" for case in swept_in("ste")],
-        branches=[f"results/{case}/branches/ste.nc" for case in swept_in("ste")],
+        branches=followed("ste"),
         claims=paper_windows(),
         style=STYLE,
     output:
@@ -587,9 +591,7 @@ rule plot_backlash_sweep:
         down=[
             f"results/{case}/sweeps/down/backlash.nc" for case in swept_in("backlash")
         ],
-        branches=[
-            f"results/{case}/branches/backlash.nc" for case in swept_in("backlash")
-        ],
+        branches=followed("backlash"),
         claims=paper_windows(),
         style=STYLE,
     output:

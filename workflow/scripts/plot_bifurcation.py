@@ -3,10 +3,12 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import xarray as xr
 import yaml
 
 from gearwear.drawing import bifurcation
 from gearwear.drawing.sheet import DOUBLE, sheet
+from gearwear.orbits.record import columns
 from gearwear.plumbing import stage, store
 
 if TYPE_CHECKING:
@@ -30,6 +32,7 @@ def main(job):
     files = (job.input[order] for order in ORDERS)
     sweeps = [dict(zip(ORDERS, map(store.load, paths), strict=True)) for paths in zip(*files, strict=True)]
     orbits = [store.load(path) for path in job.input.branches]
+    orbits = orbits or [xr.Dataset(columns([], 1, cfg["sweep"]))] * len(sweeps)
     paper = [list(windows(claims, cfg["sweep"], state["case"])) for state in cfg["states"]]
     with sheet(job, DOUBLE, bifurcation.height(len(sweeps)), layout=None) as figure:
         bifurcation.draw(figure, sweeps, orbits, paper, cfg)

@@ -25,7 +25,7 @@ def main(job):
     settling = Settling(**cfg["settling"])
     oscillators = [swept_oscillator(source, sweep, float(values[i]), dynamics, swept) for i in own]
     begins = [rest_state(source, oscillator, dynamics) for oscillator in oscillators]
-    motions = settle_many(oscillators, np.reshape(begins, (-1, 2)), settling, dynamics["tolerance"])
+    motions = settle_many(oscillators, begins, settling, dynamics["tolerance"])
     stage.log.info("%d points of %s swept", len(own), sweep)
     table = columns(motions, settling.sampled_periods, source.force_parameter)
     store.save(xr.Dataset(table, {sweep: ("point", values[own])}), job)

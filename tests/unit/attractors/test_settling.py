@@ -10,6 +10,7 @@ from gearwear.dynamics import motion_class
 from gearwear.dynamics.motion import GROWTH
 from gearwear.dynamics.oscillator import ExternalTorque, Oscillator
 from gearwear.dynamics.periodic import Harmonics
+from gearwear.dynamics.translational import Bearing, TranslationalOscillator
 
 SETTLING = Settling(200, 1600, 160, 16, 1e-7, 3e-3)
 GENTLE = Oscillator(0.9, 0.1, 0.1, Harmonics(1.0, (-0.1,), (0.0,)), Harmonics(0.0, (0.02,), (0.0,)))
@@ -152,3 +153,23 @@ def test_an_early_end_changes_nothing_but_round_off():
         for name in one._fields:
             rounded = name in ("exponent", "exponent_error")
             np.testing.assert_allclose(getattr(other, name), getattr(one, name), rtol=0, atol=1e-12 if rounded else 0)
+
+
+def test_a_pair_on_stiff_bearings_settles_as_the_torsional_one():
+    """Period 1, period 2 and chaos: class, exponent and, where it is periodic, the section."""
+    bearings = {name: Bearing(mass, (2e3, 1e3), 0.05) for name, mass in (("pinion", 3.0), ("gear", 9.0))}
+    for frequency, name in ((0.9, "P1"), (1.1, "P2"), (1.4, "CH")):
+        single = look_alike(frequency)
+        settled = settle(single, (0.0, 0.0), SETTLING)
+        of_mesh = {field.name: getattr(single, field.name) for field in dataclasses.fields(single)}
+        coupled = TranslationalOscillator(**of_mesh, **bearings, pressure_angle=0.35)
+        motion = settle(coupled, (0.0, 0.0), SETTLING)
+        assert motion_class.class_name(motion.motion_class) == name
+        assert motion.exponent == pytest.approx(settled.exponent, abs=0.01)
+        assert motion.contact_loss_share == pytest.approx(settled.contact_loss_share, abs=0.02)
+        assert motion.end.shape == (10,)
+        if motion.period:
+            np.testing.assert_allclose(motion.displacement[-2:], settled.displacement[-2:], atol=5e-3)
+            assert motion.stable_orbit_period == settled.stable_orbit_period == motion.period
+            multiplier = abs(complex(motion.multiplier_real, motion.multiplier_imag))
+            assert motion.exponent == pytest.approx(np.log(multiplier) / motion.period / single.period, abs=1e-4)

@@ -14,6 +14,7 @@ from gearwear.dynamics.periodic import PeriodicTable
 RATIO, MASS, TORQUE, BASE = 1.6, 0.5, 130.0, 28e-3
 FORCE = TORQUE / BASE
 SETTINGS = {
+    "model": "torsional",
     "damping_ratio": 0.08,
     "stiffness": "nominal",
     "harmonics": 1,

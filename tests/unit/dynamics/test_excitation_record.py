@@ -9,9 +9,15 @@ import xarray as xr
 from gearwear.dynamics.excitation import Excitation
 from gearwear.dynamics.excitation_record import columns, recorded
 from gearwear.dynamics.periodic import Harmonics, PeriodicTable
+from gearwear.dynamics.translational import Bearing
 from gearwear.plumbing import store
 
 RANDOM = np.random.default_rng(1991)
+BEARINGS = {
+    "pressure_angle": 0.35,
+    "pinion": Bearing(*RANDOM.uniform(size=1), tuple(RANDOM.uniform(size=2).tolist()), 0.02),
+    "gear": Bearing(*RANDOM.uniform(size=1), tuple(RANDOM.uniform(size=2).tolist()), 0.03),
+}
 
 
 def harmonics(mean, count):
@@ -36,8 +42,9 @@ def made(stiffness, shape, clearance, ratio=1.1):
         made(*tables(), harmonics(1.0, 16)),
         made(*tables(), Harmonics(1.0)),
         made(Harmonics(1.0), Harmonics(0.0), Harmonics(1.0)),
+        made(harmonics(1.0, 1), harmonics(0.0, 1), Harmonics(1.0))._replace(bearings=BEARINGS),
     ],
-    ids=["first harmonic", "five harmonics", "tables", "tables and constant clearance", "no waves"],
+    ids=["first harmonic", "five harmonics", "tables", "tables and constant clearance", "no waves", "on bearings"],
 )
 def test_an_excitation_comes_back_from_its_file_to_the_last_bit(source, tmp_path):
     path = tmp_path / "excitation.nc"

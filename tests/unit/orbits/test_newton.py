@@ -99,7 +99,7 @@ def test_multipliers_stand_by_modulus():
 
 @pytest.mark.parametrize("state", [(0.0, math.nan), (1.0,), (0.0, 0.0, 0.0)])
 def test_bad_states_are_refused(henon, state):
-    with pytest.raises(ValueError, match="must be two finite numbers"):
+    with pytest.raises(ValueError, match="must be finite numbers"):
         periodic_orbit(henon, 0.5, state, 1)
 
 

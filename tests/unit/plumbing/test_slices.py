@@ -132,10 +132,7 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("portraits.mesh_frequency.without", set()),
         ("figures.diagonal", set()),
         ("maps.case", set()),
-        (
-            "dynamics.stiffness",
-            {"response", "sweep", "branches", "onsets", "portraits", "motions", "basins", "handover"} | MAPS,
-        ),
+        ("dynamics.stiffness", {"response", "excitation", "handover"} | MAPS),
         ("maps.mesh_frequency.points", MAPS),
         ("maps.temperature", {"map_temperature"}),
         ("sweeps.backlash.reading", {"sweep", "branches", "portraits", "motions", "map_backlash", "basins"}),

@@ -13,7 +13,7 @@ from gearwear.dynamics.oscillator import Oscillator
 
 def carried(
     oscillators: Iterable[Oscillator],
-    rest: Callable[[Oscillator], tuple[float, float]],
+    rest: Callable[[Oscillator], tuple[float, ...]],
     settling: Settling,
     tolerance: float = 1e-10,
 ) -> list[Attractor]:
@@ -23,7 +23,7 @@ def carried(
 
     Parameters
     ----------
-    rest : displacement and velocity at mesh phase 0 to start an oscillator from.
+    rest : state at mesh phase 0 to start an oscillator from.
     settling, tolerance : as in settling.settle.
     """
     motions, begin = [], None

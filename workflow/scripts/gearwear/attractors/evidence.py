@@ -28,7 +28,7 @@ class Evidence(NamedTuple):
     stable_orbit_period : that of the stable orbit that Newton's method finds from the section, 0 if there is none
     stable_orbit_distance : of the last of the section from that orbit, NaN without one
     multiplier : Floquet multiplier of largest modulus of that orbit, NaN without one
-    exponent, exponent_error : largest Lyapunov exponent and its standard error; the other is -2 zeta - exponent
+    exponent, exponent_error : largest Lyapunov exponent and its standard error
     """
 
     motion_class: int
@@ -62,12 +62,13 @@ def weigh(
     has the period of its recurrence, unless the orbit it is near is unstable: that motion is about to leave it.
     Chaos: no recurrence, also not at the end of the section, and an exponent above the threshold and three times its
     error. Quasi-periodic: the section is a closed curve over the phase of the external torque and the exponent is not
-    positive; a torque that fluctuates with a harmonic of the mesh, or none, leaves one frequency, whose map contracts
-    areas by exp(-2 zeta T): no invariant closed curve exists, and none is reported.
+    positive; a torque that fluctuates with a harmonic of the mesh, or none, leaves one frequency, and then none is
+    reported: the map of the torsional oscillator contracts areas by exp(-2 zeta T), so no invariant closed curve
+    exists, and one of the translational oscillator would have no second phase to order its points by.
 
     Parameters
     ----------
-    states : (samples + 1, 2) displacement and velocity at mesh phase 0
+    states : (samples + 1, size) at mesh phase 0
     growth : logarithms of the growth of a tangent vector over the last forcing periods
     first_period : index of the forcing period at which the section begins
     largest_period, recurrence_tolerance, chaos_threshold : as in settling.Settling

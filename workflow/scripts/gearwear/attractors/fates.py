@@ -8,7 +8,7 @@ import numpy as np
 
 from gearwear.attractors.section import BATCHES, is_closed_curve, means_and_errors, recurrences
 from gearwear.attractors.settling import Settling, check_settling
-from gearwear.dynamics.motion import COMPLETED, GROWTH, STATES
+from gearwear.dynamics.motion import COMPLETED, GROWTH, STATES, vector
 from gearwear.dynamics.motion_class import CHAOTIC, NOT_CONVERGED, QUASI_PERIODIC
 from gearwear.dynamics.motion_many import strobe_many
 from gearwear.dynamics.oscillator import Oscillator
@@ -20,8 +20,8 @@ class Fates(NamedTuple):
     """Where initial states lead.
 
     motion_class : (states,) codes; NOT_CONVERGED where the longest transient decides nothing
-    sections : (states, largest_period, 2) the last states at mesh phase 0
-    low, high : (states, 2) corners of the box around the last sampled section
+    sections : (states, largest_period, size) the last states at mesh phase 0
+    low, high : (states, size) corners of the box around the last sampled section
     """
 
     motion_class: np.ndarray
@@ -41,7 +41,7 @@ def fates(
 
     Parameters
     ----------
-    states : (states, 2) displacement and velocity at mesh phase 0
+    states : (states, size) at mesh phase 0, or (states, 2): displacement and velocity, the rest of the state zero
     together : states run at a time
 
     Raises
@@ -67,8 +67,10 @@ def share_escaping(oscillator: Oscillator, states: np.ndarray, settling: Settlin
 
 def _fates(oscillator, states, settling, tolerance) -> Fates:
     count, samples, longest = len(states), settling.sampled_periods, settling.largest_period
-    found = Fates(np.full(count, NOT_CONVERGED), np.full((count, longest, 2), np.nan), *np.full((2, count, 2), np.nan))
-    now, waiting, reached, transient = np.array(states, dtype=float), np.arange(count), 0, settling.transient_periods
+    now = vector(states, "state", oscillator.size, (count,))
+    bounds = np.full((2, *now.shape), np.nan)
+    found = Fates(np.full(count, NOT_CONVERGED), np.full((count, longest, oscillator.size), np.nan), *bounds)
+    waiting, reached, transient = np.arange(count), 0, settling.transient_periods
     while waiting.size:
         run = strobe_many(
             [oscillator] * waiting.size,

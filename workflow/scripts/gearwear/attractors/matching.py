@@ -13,7 +13,7 @@ def same_orbits(sections: np.ndarray, tolerance: float) -> np.ndarray:
 
     Parameters
     ----------
-    sections : (motions, period, 2) states at mesh phase 0, one a mesh period.
+    sections : (motions, period, size) states at mesh phase 0, one a mesh period.
     """
     labels = np.full(len(sections), -1)
     label = 0
@@ -33,7 +33,7 @@ def overlapping_clouds(low: np.ndarray, high: np.ndarray) -> np.ndarray:
 
     Parameters
     ----------
-    low, high : (clouds, 2) corners of the boxes.
+    low, high : (clouds, size) corners of the boxes.
     """
     labels = np.full(len(low), -1)
     while (left := np.flatnonzero(labels < 0)).size:

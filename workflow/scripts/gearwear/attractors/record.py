@@ -16,6 +16,7 @@ _WHOLE = (
     "stable_orbit_period",
     "transient_periods",
 )
+_NO_COLUMN = ("end",)  # it is the last of the section, but for motion of more than two variables
 _SECTION = {"displacement": "section_displacement", "velocity": "section_velocity"}
 
 
@@ -30,6 +31,8 @@ def columns(motions: list[Attractor], samples: int, force_parameter: float) -> d
     """
     table = {}
     for name in Attractor._fields:
+        if name in _NO_COLUMN:
+            continue
         values = [getattr(motion, name) for motion in motions]
         if name in _SECTION:
             table[_SECTION[name]] = (("point", "sample"), np.array(values, dtype=float).reshape(-1, samples))
@@ -40,6 +43,6 @@ def columns(motions: list[Attractor], samples: int, force_parameter: float) -> d
     return table
 
 
-def end_of(motion: Attractor) -> tuple[float, float]:
-    """Return displacement and velocity at the end of the sample, where the motion can be taken up again."""
-    return float(motion.displacement[-1]), float(motion.velocity[-1])
+def end_of(motion: Attractor) -> tuple[float, ...]:
+    """Return the state at the end of the sample, where the motion can be taken up again."""
+    return tuple(motion.end.tolist())

@@ -1,5 +1,6 @@
 """What a Poincare section tells: its period, whether it is a closed curve, and averages with their errors."""
 
+from functools import reduce
 from typing import NamedTuple
 
 import numpy as np
@@ -28,7 +29,7 @@ def recurrence(states: np.ndarray, largest_period: int, tolerance: float) -> Rec
 
     Parameters
     ----------
-    states : (samples, 2) states at mesh phase 0
+    states : (samples, size) states at mesh phase 0
     largest_period : longest period looked for, at most half the samples
     tolerance : allowed distance (dimensionless)
     """
@@ -37,7 +38,7 @@ def recurrence(states: np.ndarray, largest_period: int, tolerance: float) -> Rec
 
 
 def recurrences(states: np.ndarray, largest_period: int, tolerance: float) -> tuple[np.ndarray, np.ndarray]:
-    """Periods and distances, (sections,) each, of many sections, (sections, samples, 2), each as by `recurrence`.
+    """Periods and distances, (sections,) each, of many sections, (sections, samples, size), each as by `recurrence`.
 
     A section with NaN has period 0 and distance NaN.
     """
@@ -64,11 +65,11 @@ def shrinking_periods(states: np.ndarray, largest_period: int, near: float) -> l
 
 
 def _changes(states: np.ndarray, largest_period: int) -> tuple[dict, dict]:
-    """Largest change over n periods, for every n, in the first and in the second half of sections (..., samples, 2)."""
+    """Largest change over n periods, for every n, in the first and second half of sections (..., samples, size)."""
     first, second = {}, {}
-    x, v = np.moveaxis(states, -1, 0).copy()  # a maximum over an axis of two would take ten times as long
+    columns = np.moveaxis(states, -1, 0).copy()  # a maximum over the short axis would take ten times as long
     for n in range(1, largest_period + 1):
-        steps = np.maximum(np.abs(x[..., n:] - x[..., :-n]), np.abs(v[..., n:] - v[..., :-n]))
+        steps = reduce(np.maximum, (np.abs(column[..., n:] - column[..., :-n]) for column in columns))
         half = steps.shape[-1] // 2
         first[n], second[n] = steps[..., :half].max(axis=-1), steps[..., half:].max(axis=-1)
     return first, second
@@ -82,7 +83,7 @@ def is_closed_curve(states: np.ndarray, turns: np.ndarray) -> bool:
 
     Parameters
     ----------
-    states : (samples, 2) states at mesh phase 0
+    states : (samples, size) states at mesh phase 0
     turns : (samples,) phase of the second frequency at those instants, in turns
     """
     ordered = states[np.argsort(turns % 1.0, kind="stable")]
@@ -90,7 +91,7 @@ def is_closed_curve(states: np.ndarray, turns: np.ndarray) -> bool:
 
 
 def _perimeter(polygon: np.ndarray) -> float:
-    return float(np.hypot(*(np.roll(polygon, -1, axis=0) - polygon).T).sum())
+    return float(np.hypot.reduce(np.roll(polygon, -1, axis=0) - polygon, axis=1).sum())
 
 
 def mean_and_error(values: np.ndarray) -> tuple[float, float]:

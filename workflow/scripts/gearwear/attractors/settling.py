@@ -7,9 +7,11 @@ import numpy as np
 from gearwear.attractors.evidence import weigh
 from gearwear.attractors.section import BATCHES
 from gearwear.dynamics import motion_class
-from gearwear.dynamics.motion import AUTOMATIC, BLOW_UP, COMPLETED, GROWTH, MAPS, RECORDS, TOO_MANY_STEPS
+from gearwear.dynamics.motion import AUTOMATIC, BLOW_UP, COMPLETED, GROWTH, MAPS, RECORDS, TOO_MANY_STEPS, vector
 from gearwear.dynamics.motion_many import strobe_many
 from gearwear.dynamics.oscillator import Oscillator
+
+_LEAST_CONTRACTION = 1e-6  # below, round-off of the largest multipliers outweighs the determinant of a large map
 
 
 class Settling(NamedTuple):
@@ -33,11 +35,13 @@ class Attractor(NamedTuple):
 
     motion_class, ..., exponent_error : as in evidence.Evidence
     multiplier_real, multiplier_imag : Floquet multiplier of largest modulus over the orbit, NaN without an orbit
-    determinant_error : largest relative departure of a sampled period's determinant from exp(-2 zeta T)
+    determinant_error : largest relative departure of a sampled period's determinant from Oscillator.contraction; NaN
+        where that is too small for it
     transient_periods : forcing periods before the sample
     contact_loss_share, impacts_per_period : means over the sample
     displacement_min, displacement_max, force_max : extremes over the sample
     displacement, velocity : (sampled_periods,) the section at mesh phase 0
+    end : (size,) the state at the end of the sample, where the motion can be taken up again
     """
 
     motion_class: int
@@ -61,6 +65,7 @@ class Attractor(NamedTuple):
     force_max: float
     displacement: np.ndarray
     velocity: np.ndarray
+    end: np.ndarray
 
 
 def settle(oscillator: Oscillator, state, settling: Settling, tolerance: float = 1e-10) -> Attractor:
@@ -85,7 +90,7 @@ def settle_many(
     Parameters
     ----------
     oscillators : one a point
-    states : (points, 2) or (2,) displacement and velocity at mesh phase 0
+    states : (points, size) or (size,) at mesh phase 0, as in motion_many.strobe_many
     tolerance : of the integrator, where the affine map does not apply
     detail : GROWTH, MAPS or RECORDS, of motion.strobe. The determinant needs MAPS, extremes, contact loss and impacts
         RECORDS, in several times the time of GROWTH.
@@ -97,8 +102,11 @@ def settle_many(
     """
     check_settling(settling)
     points = len(oscillators)
-    states = np.array(np.broadcast_to(np.asarray(states, dtype=float), (points, 2)))
-    tangents = np.tile((1.0, 0.0), (points, 1))
+    if not points:
+        return []
+    size = oscillators[0].size
+    states = vector(states, "state", size, (points,))
+    tangents = np.tile(np.eye(size)[0], (points, 1))
     attractors: dict[int, Attractor] = {}
     waiting, transient, reached = np.arange(points), settling.transient_periods, 0
     while waiting.size:
@@ -114,7 +122,7 @@ def settle_many(
             backend,
             settling.early_end,
         )
-        attractors |= _lost(waiting, run.status, transient, settling.sampled_periods)
+        attractors |= _lost(waiting, run.status, transient, settling.sampled_periods, size)
         alive = np.flatnonzero(run.status == COMPLETED)
         if not alive.size:
             break
@@ -131,7 +139,7 @@ def settle_many(
             backend,
             settling.early_end,
         )
-        attractors |= _lost(waiting, sample.status, transient, settling.sampled_periods)
+        attractors |= _lost(waiting, sample.status, transient, settling.sampled_periods, size)
         undecided = []
         for place in np.flatnonzero(sample.status == COMPLETED):
             p, growth = waiting[place], sample.growth[place]
@@ -185,9 +193,7 @@ def check_settling(settling: Settling) -> None:
 def _attractor(oscillator, sample, place, evidence, transient, detail) -> Attractor:
     determinant_error = lost = impacts = lowest = highest = force = np.nan
     if detail >= MAPS:
-        (a, b), (c, d) = sample.tangent_maps[place].transpose(1, 2, 0)
-        contraction = np.exp(-2 * oscillator.damping_ratio * oscillator.period)
-        determinant_error = float(np.abs((a * d - b * c) / contraction - 1).max())
+        determinant_error = _determinant_error(oscillator, sample.tangent_maps[place])
     if detail >= RECORDS:
         lost, impacts = float(sample.lost[place].mean()), float(sample.impacts[place].mean())
         lowest, highest = float(sample.displacement_min[place].min()), float(sample.displacement_max[place].max())
@@ -214,10 +220,22 @@ def _attractor(oscillator, sample, place, evidence, transient, detail) -> Attrac
         force_max=force,
         displacement=sample.states[place, 1:, 0],
         velocity=sample.states[place, 1:, 1],
+        end=sample.states[place, -1],
     )
 
 
-def _lost(points, status, transient: int, samples: int) -> dict[int, Attractor]:
+def _determinant_error(oscillator: Oscillator, maps: np.ndarray) -> float:
+    if oscillator.size == 2:
+        (a, b), (c, d) = maps.transpose(1, 2, 0)
+        determinants = a * d - b * c
+    elif oscillator.contraction < _LEAST_CONTRACTION:
+        return np.nan
+    else:
+        determinants = np.linalg.det(maps)
+    return float(np.abs(determinants / oscillator.contraction - 1).max())
+
+
+def _lost(points, status, transient: int, samples: int, size: int) -> dict[int, Attractor]:
     """Return the points whose motion was not completed, and what is known of them."""
     unknown = dict.fromkeys(Attractor._fields, np.nan)
     unknown.update(dict.fromkeys(("conflict", "period", "recurrence_period", "stable_orbit_period"), 0))
@@ -226,6 +244,7 @@ def _lost(points, status, transient: int, samples: int) -> dict[int, Attractor]:
         transient_periods=transient,
         displacement=np.full(samples, np.nan),
         velocity=np.full(samples, np.nan),
+        end=np.full(size, np.nan),
     )
     reasons = {BLOW_UP: motion_class.BLOWN_UP, TOO_MANY_STEPS: motion_class.STEPS_EXHAUSTED}
     return {

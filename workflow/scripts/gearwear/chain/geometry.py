@@ -8,7 +8,7 @@ import xarray as xr
 
 from gearwear.geometry.contact_path import contact_path
 from gearwear.geometry.deviations import spacing, tip_relief
-from gearwear.geometry.involute import GEARS, equivalent_mass, gear_pair
+from gearwear.geometry.involute import GEARS, disc_mass, equivalent_mass, gear_pair
 from gearwear.geometry.record import dataset
 
 
@@ -28,6 +28,7 @@ def geometry(cfg: dict[str, Any]) -> xr.Dataset:
     made = dict(cfg["micro_geometry"])
     relief = tip_relief(mesh, made.pop("tip_relief"))
     values = {
+        "mass": ("gear", disc_mass(pair, density)),
         "moment_of_inertia": ("gear", moments),
         "equivalent_mass": mass,
         "tip_relief": (("gear", "path"), relief),

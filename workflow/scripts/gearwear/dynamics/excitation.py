@@ -5,14 +5,17 @@ Length unit is the initial half backlash b0, time unit the inverse natural frequ
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 
 from gearwear.dynamics.harmonics import harmonics, mean_over_mesh
-from gearwear.dynamics.motion import trace
+from gearwear.dynamics.motion import visited
 from gearwear.dynamics.oscillator import ExternalTorque, Oscillator
 from gearwear.dynamics.periodic import Harmonics, PeriodicTable
+from gearwear.dynamics.translational import Bearing, TranslationalOscillator
 from gearwear.geometry.kinematics import mesh_force
 
 _NO_ERROR = 1e-12  # m; round-off of an error that is none
@@ -34,6 +37,7 @@ class Excitation(NamedTuple):
     relative_mean_error : mean transmission error over that of the reference case.
     clearance : over b0.
     stiffest_phase : mesh phase at which the first harmonic of the stiffness is largest.
+    bearings : pinion, gear and pressure_angle of the translational oscillator; none in the torsional model.
     """
 
     length: float
@@ -48,12 +52,14 @@ class Excitation(NamedTuple):
     relative_mean_error: float
     clearance: Harmonics
     stiffest_phase: float
+    bearings: Mapping[str, Bearing | float] = MappingProxyType({})
 
     def oscillator(self, settings: dict, frequency: float, error_amplitude: float | None = None) -> Oscillator:
         """Return the oscillator at a mesh frequency (over the natural one) and an error amplitude (over b0)."""
         amplitude = self.error_amplitude if error_amplitude is None else error_amplitude
         torque = settings["torque_fluctuation"]
-        return Oscillator(
+        model = TranslationalOscillator if self.bearings else Oscillator
+        return model(
             frequency=frequency,
             damping_ratio=settings["damping_ratio"],
             mean_force=self.force_parameter,
@@ -63,6 +69,7 @@ class Excitation(NamedTuple):
             torque=ExternalTorque(torque["frequency_ratio"], torque["amplitudes"], torque["phases"]).scaled(
                 self.force_parameter
             ),
+            **self.bearings,
         )
 
 
@@ -125,11 +132,26 @@ def excitation(geometry, state, reference, pinion_torque: float, settings: dict)
         relative_mean_error=ratio,
         clearance=Harmonics(mean_over_mesh(clearance, width), *harmonics(clearance, phase, width, count)),
         stiffest_phase=float(-harmonics(stiffness, phase, width, 1)[1][0] / (2 * np.pi) % 1.0),
+        bearings=_bearings(geometry, mean, settings) if settings["model"] == "translational" else {},
     )
 
 
-def rest_state(source: Excitation, oscillator: Oscillator, settings: dict) -> tuple[float, float]:
-    """Return displacement and velocity at mesh phase 0 after the start that the configuration gives.
+def _bearings(geometry, mesh_stiffness: float, settings: dict) -> dict[str, Bearing | float]:
+    """Return the bearings over the equivalent mass and the mean mesh stiffness (N/m), and the angle of the mesh."""
+    found = {"pressure_angle": float(geometry["working_pressure_angle"])}
+    for i, name in enumerate(geometry["gear"].values):
+        own = settings["bearings"][name]
+        mass = float(geometry["mass"][i]) if own["mass"] is None else own["mass"]
+        found[str(name)] = Bearing(
+            mass / float(geometry["equivalent_mass"]),
+            (own["stiffness_along"] / mesh_stiffness, own["stiffness_across"] / mesh_stiffness),
+            own["damping_ratio"],
+        )
+    return found
+
+
+def rest_state(source: Excitation, oscillator: Oscillator, settings: dict) -> tuple[float, ...]:
+    """Return the state at mesh phase 0 after the start that the configuration gives; bearings start without load.
 
     `settings["start"]["at"]`: `pair_entry`, the state given is that at mesh phase 0; `stiffest_mesh`, it is given where
     the first harmonic of the stiffness is largest, the origin of time of Kahraman and Singh (1990), and the oscillator
@@ -140,8 +162,8 @@ def rest_state(source: Excitation, oscillator: Oscillator, settings: dict) -> tu
     if start["at"] == "pair_entry" or source.stiffest_phase == 0:
         return state
     before = oscillator.seen_from(source.stiffest_phase)
-    run = trace(before, state, [1.0 - source.stiffest_phase], 1, tolerance=settings["tolerance"])
-    return float(run[0][0, 0]), float(run[1][0, 0])
+    run = visited(before, state, [1.0 - source.stiffest_phase], 1, tolerance=settings["tolerance"])
+    return tuple(run[0, 0].tolist())
 
 
 def swept_oscillator(source: Excitation, sweep: str, value: float, settings: dict, swept: dict) -> Oscillator:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,10 @@ import xarray as xr
 
 from gearwear.dynamics.excitation import Excitation
 from gearwear.dynamics.periodic import Harmonics, PeriodicTable
+from gearwear.dynamics.translational import Bearing
+from gearwear.geometry.involute import GEARS
+
+DIRECTIONS = ("along", "across")  # the line of centres
 
 _SCALARS = {
     "initial_half_backlash": "length",
@@ -36,7 +41,7 @@ def columns(source: Excitation) -> dict[str, Any]:
     waves = {"stiffness": source.stiffness, "error_shape": source.shape, "clearance": source.clearance}
     for name, wave in waves.items():
         values |= _harmonics(name, wave) if isinstance(wave, Harmonics) else _table(name, wave)
-    return values
+    return values | _bearings(source.bearings)
 
 
 def recorded(dataset: xr.Dataset) -> Excitation:
@@ -44,7 +49,31 @@ def recorded(dataset: xr.Dataset) -> Excitation:
     scalars = {attribute: float(dataset.get(name, np.nan)) for name, attribute in _SCALARS.items()}
     stiffness, shape = (_wave(dataset, name, mean) for name, mean in _MEANS.items())
     clearance = _wave(dataset, "clearance", float(dataset["mean_clearance"]))
-    return Excitation(stiffness=stiffness, shape=shape, clearance=clearance, **scalars)
+    source = Excitation(stiffness=stiffness, shape=shape, clearance=clearance, **scalars)
+    return source._replace(bearings=_recorded_bearings(dataset)) if "bearing_mass" in dataset else source
+
+
+def _bearings(bearings: Mapping[str, Any]) -> dict[str, Any]:
+    if not bearings:
+        return {}
+    both = [bearings[name] for name in GEARS]
+    return {
+        "gear": ("gear", np.array(GEARS, dtype=object)),
+        "bearing_direction": ("bearing_direction", np.array(DIRECTIONS, dtype=object)),
+        "bearing_mass": ("gear", np.array([one.mass for one in both])),
+        "bearing_stiffness": (("gear", "bearing_direction"), np.array([one.stiffness for one in both])),
+        "bearing_damping_ratio": ("gear", np.array([one.damping_ratio for one in both])),
+        "working_pressure_angle": bearings["pressure_angle"],
+    }
+
+
+def _recorded_bearings(dataset: xr.Dataset) -> dict[str, Bearing | float]:
+    found: dict[str, Bearing | float] = {"pressure_angle": float(dataset["working_pressure_angle"])}
+    for name in GEARS:
+        one = dataset.sel(gear=name)
+        mass, damping_ratio = float(one["bearing_mass"]), float(one["bearing_damping_ratio"])
+        found[name] = Bearing(mass, tuple(one["bearing_stiffness"].values.tolist()), damping_ratio)
+    return found
 
 
 def _harmonics(name: str, wave: Harmonics) -> dict[str, Any]:

@@ -1,7 +1,8 @@
 """Motion of an oscillator over whole forcing periods: the one interface between analyses and integrators.
 
 An oscillator that repeats after some mesh periods is carried by the tabulated affine map (affine_flow), to round-off.
-With a torque that does not it is integrated by Dormand-Prince (period_flow), to the tolerance.
+With a torque that does not it is integrated by Dormand-Prince (period_flow), to the tolerance. A translational
+oscillator is carried by power series (series_flow), to round-off, whatever the backend.
 
 Mesh phase 0 begins a period; the state there is the one after the jump a tabulated transmission error may have.
 A motion that cannot be carried on is reported by a status, never by an exception, and the rest of it is NaN.
@@ -11,8 +12,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from gearwear.dynamics import affine_flow, affine_table, cell_crossing, cell_extremes, period_flow
+from gearwear.dynamics import affine_flow, affine_table, cell_crossing, cell_extremes, period_flow, series_flow
 from gearwear.dynamics.oscillator import Oscillator
+from gearwear.dynamics.series_table import series_table
+from gearwear.dynamics.translational import TranslationalOscillator
 
 COMPLETED, BLOW_UP, TOO_MANY_STEPS = period_flow.COMPLETED, period_flow.BLOW_UP, period_flow.TOO_MANY_STEPS
 STATES, GROWTH = cell_crossing.STATES, cell_crossing.GROWTH
@@ -26,14 +29,14 @@ class Strobe(NamedTuple):
     What the detail does not ask for is None: growth and tangent need GROWTH, tangent_maps MAPS, what happens within
     a period RECORDS.
 
-    states : (periods + 1, 2) displacement and velocity, the start first
+    states : (periods + 1, size) displacement and velocity of the mesh, then the rest of the state; the start first
     growth : (periods,) logarithm of the growth of the tangent vector
     lost : (periods,) share of the period out of contact, |x| < b
     impacts : (periods,) number of entries into contact
     displacement_min, displacement_max : (periods,) extremes of x
     force_max : (periods,) largest magnitude of the mesh force k f
-    tangent_maps : (periods, 2, 2) derivative of the one-period map; determinant exp(-2 zeta T)
-    tangent : (2,) tangent vector at the end, of length 1
+    tangent_maps : (periods, size, size) derivative of the one-period map; its determinant is Oscillator.contraction
+    tangent : (size,) tangent vector at the end, of length 1
     status : COMPLETED, BLOW_UP or TOO_MANY_STEPS
     """
 
@@ -64,12 +67,12 @@ def strobe(
 
     Parameters
     ----------
-    state : (2,) displacement and velocity
+    state : (size,) displacement and velocity, then the rest of the state; (2,), the rest of it is zero
     periods : number of forcing periods
     first_period : index of the first one; it sets the phase of the external torque
     tolerance : relative (and for values below 1 absolute) tolerance of Dormand-Prince, 1e-13 to 1e-3; the affine
         map needs none
-    tangent : (2,) tangent vector whose growth is measured, any length but 0
+    tangent : as the state, tangent vector whose growth is measured, any length but 0
     detail : STATES, GROWTH, MAPS or RECORDS; each holds the ones before it and takes longer, the states are the same
     backend : AUTOMATIC, or GENERAL for Dormand-Prince in any case
     early_end : stop as soon as the state recurs to the last bit, and fill in the rest in less time: the same states,
@@ -78,10 +81,12 @@ def strobe(
     Raises
     ------
     ValueError
-        For a state or tangent that is not two finite numbers, or a number outside its range.
+        For a state or tangent that is not as many finite numbers, or a number outside its range.
     """
-    state, tangent = pair(state, "state"), pair(tangent, "tangent")
+    state, tangent = vector(state, "state", oscillator.size), vector(tangent, "tangent", oscillator.size)
     check_request(tangent, periods, first_period, tolerance, detail, backend)
+    if isinstance(oscillator, TranslationalOscillator):
+        return _series(oscillator, state, periods, first_period, tangent, (), detail)[0]
     if backend == GENERAL or not affine_table.applies_to(oscillator):
         return _general(oscillator, state, periods, first_period, tolerance, tangent, (), detail)[0]
     tangent = tangent / np.hypot(*tangent)
@@ -97,20 +102,34 @@ def trace(
     tolerance: float = 1e-10,
     backend: str = AUTOMATIC,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Displacement and velocity, (periods, len(phases)), at mesh phases of each period, reached by stepping.
+    """Displacement and velocity, (periods, len(phases)), at mesh phases of each period, as `visited` has them."""
+    states = visited(oscillator, state, phases, periods, first_period, tolerance, backend)
+    return states[:, :, 0], states[:, :, 1]
+
+
+def visited(
+    oscillator: Oscillator,
+    state,
+    phases,
+    periods: int,
+    first_period: int = 0,
+    tolerance: float = 1e-10,
+    backend: str = AUTOMATIC,
+) -> np.ndarray:
+    """States, (periods, len(phases), size), at mesh phases of each period, reached by stepping.
 
     The phases increase within [0, 1]; phase 1 is phase 0 of the next period. The errors raised are those of strobe.
     """
     phases = np.array(phases, dtype=float)
     if phases.ndim != 1 or not np.all((phases >= 0.0) & (phases <= 1.0)) or np.any(np.diff(phases) <= 0.0):
         raise ValueError("phases: must be one strictly increasing list within [0, 1] (mesh phase)")
-    state, tangent = pair(state, "state"), np.array([1.0, 0.0])
+    state, tangent = vector(state, "state", oscillator.size), np.eye(oscillator.size)[0]
     check_request(tangent, periods, first_period, tolerance, STATES, backend)
+    if isinstance(oscillator, TranslationalOscillator):
+        return _series(oscillator, state, periods, first_period, tangent, tuple(phases.tolist()), STATES)[1]
     if backend == GENERAL or not affine_table.applies_to(oscillator):
-        visits = _general(oscillator, state, periods, first_period, tolerance, tangent, phases, STATES)[1]
-    else:
-        visits = _affine(oscillator, state, periods, first_period, tangent, tuple(phases.tolist()), STATES)[1]
-    return visits[:, :, 0], visits[:, :, 1]
+        return _general(oscillator, state, periods, first_period, tolerance, tangent, phases, STATES)[1]
+    return _affine(oscillator, state, periods, first_period, tangent, tuple(phases.tolist()), STATES)[1]
 
 
 def monodromy(
@@ -121,20 +140,28 @@ def monodromy(
     tolerance: float = 1e-10,
     backend: str = AUTOMATIC,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """State after some periods and its (2, 2) derivative by the state before them; errors as strobe."""
+    """State after some periods and its (size, size) derivative by the state before them; errors as strobe."""
     motion = strobe(oscillator, state, periods, first_period, tolerance, detail=MAPS, backend=backend)
-    matrix = np.eye(2)
+    matrix = np.eye(oscillator.size)
     for tangent_map in motion.tangent_maps:
         matrix = tangent_map @ matrix
     return motion.states[-1], matrix
 
 
-def pair(values, name: str) -> np.ndarray:
-    """The values as an array of two finite numbers; ValueError if they are anything else."""
+def vector(values, name: str, size: int = 2, points: tuple[int, ...] = ()) -> np.ndarray:
+    """The values as finite numbers, (*points, size); two of them, displacement and velocity, are filled up with zeros.
+
+    ValueError if they are anything else. Without the leading axis they are those of every point.
+    """
     numbers = np.array(values, dtype=float)
-    if numbers.shape != (2,) or not np.all(np.isfinite(numbers)):
-        raise ValueError(f"{name}: {values} must be two finite numbers, displacement and velocity (dimensionless)")
-    return numbers
+    allowed = [(*lead, length) for lead in {(), points} for length in {2, size}]
+    if numbers.shape not in allowed or not np.all(np.isfinite(numbers)):
+        count = "two finite numbers" if size == 2 else f"two or {size} finite numbers"
+        each = f", or ({points[0]}, ...) of them, one row a point" if points else ""
+        raise ValueError(f"{name}: must be {count}{each}, displacement and velocity first (dimensionless)")
+    filled = np.zeros((*points, size))
+    filled[..., : numbers.shape[-1]] = numbers
+    return filled
 
 
 def check_request(tangent, periods, first_period, tolerance, detail, backend) -> None:
@@ -179,6 +206,23 @@ def _general(oscillator, state, periods, first_period, tolerance, tangent, phase
         np.array(phases, dtype=float),
     )
     return collected(oscillator.period, states, maps, growth, records, tangent, int(status), detail), visits
+
+
+def _series(oscillator, state, periods, first_period, tangent, phases, detail):
+    starts, *table = series_table(oscillator, phases)
+    tangent = tangent / np.linalg.norm(tangent)
+    states, maps, growth, records, visits, status = series_flow.run(
+        tuple(oscillator.linear_part),
+        tuple(table),
+        oscillator.torque.frequency_ratio,
+        state,
+        tangent,
+        int(first_period),
+        int(periods),
+        detail,
+        np.searchsorted(starts, phases).astype(np.int64),
+    )
+    return collected(oscillator.period, states, maps, growth, records, tangent, status, detail), visits
 
 
 def collected(period, states, maps, growth, records, tangent, status, detail) -> Strobe:

@@ -3,9 +3,20 @@
 import numpy as np
 
 from gearwear.dynamics.affine_batch import count_all, run_many
-from gearwear.dynamics.motion import AUTOMATIC, GENERAL, RECORDS, Strobe, check_request, collected, stored, strobe
+from gearwear.dynamics.motion import (
+    AUTOMATIC,
+    GENERAL,
+    RECORDS,
+    Strobe,
+    check_request,
+    collected,
+    stored,
+    strobe,
+    vector,
+)
 from gearwear.dynamics.oscillator import Oscillator
 from gearwear.dynamics.periodic import Harmonics
+from gearwear.dynamics.translational import TranslationalOscillator
 
 LONGEST_TABLE = 1024  # cells: longer tables of sixteen lanes would take too much memory
 
@@ -27,9 +38,9 @@ def strobe_many(
 
     Parameters
     ----------
-    oscillators : one a point; for many states of one oscillator repeat it
-    states : (points, 2) or (2,) displacement and velocity
-    tangent : (points, 2) or (2,)
+    oscillators : one a point, all of one kind; for many states of one oscillator repeat it
+    states : (points, size) or (size,) displacement and velocity, then the rest of the state; or only these two
+    tangent : as the states
     periods, first_period, tolerance, detail, backend : as in motion.strobe
     early_end : as in motion.strobe
 
@@ -44,12 +55,14 @@ def strobe_many(
         As motion.strobe.
     """
     points = len(oscillators)
-    starts, directions = _pairs(states, points, "state"), _pairs(tangent, points, "tangent")
     if points == 0:
         raise ValueError("oscillators: the list is empty; give at least one")
+    size = oscillators[0].size
+    starts, directions = vector(states, "state", size, (points,)), vector(tangent, "tangent", size, (points,))
     for direction in directions if np.ndim(tangent) > 1 else directions[:1]:
         check_request(direction, periods, first_period, tolerance, detail, backend)
-    single = np.array([backend == GENERAL or points == 1 or o.has_second_frequency for o in oscillators], dtype=bool)
+    alone = backend == GENERAL or points == 1 or isinstance(oscillators[0], TranslationalOscillator)
+    single = np.array([alone or o.has_second_frequency for o in oscillators], dtype=bool)
     together = np.flatnonzero(~single)
     parts = []
     if together.size:
@@ -142,10 +155,3 @@ def _cosines_and_sines(waves, rows: int) -> np.ndarray:
     )
     table = np.stack([amplitudes * np.cos(phases), -(amplitudes * np.sin(phases))], axis=-1)
     return table[[place[id(wave)] for wave in waves]]
-
-
-def _pairs(values, points: int, name: str) -> np.ndarray:
-    pairs = np.array(values, dtype=float)
-    if pairs.shape not in ((2,), (points, 2)) or not np.all(np.isfinite(pairs)):
-        raise ValueError(f"{name}: must be two finite numbers, or ({points}, 2) of them, one pair a point")
-    return np.array(np.broadcast_to(pairs, (points, 2)))

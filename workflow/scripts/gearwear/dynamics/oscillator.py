@@ -138,6 +138,16 @@ class Oscillator:
         return 2 * np.pi / self.frequency
 
     @property
+    def size(self) -> int:
+        """Number of state variables: displacement and velocity."""
+        return 2
+
+    @property
+    def contraction(self) -> float:
+        """Determinant of the derivative of the one-period map (Liouville)."""
+        return float(np.exp(-2 * self.damping_ratio * self.period))
+
+    @property
     def has_second_frequency(self) -> bool:
         """True if the external torque fluctuates at another frequency than harmonics of the mesh."""
         return not self.torque.repeats_after(1)
@@ -192,7 +202,7 @@ class Oscillator:
         if isinstance(self.error, PeriodicTable):
             kicks, error_waves = self._kicks(self.error), Harmonics()
         else:
-            kicks, error_waves = np.zeros((cells, 2)), self.error
+            kicks, error_waves = np.zeros((cells, self.size)), self.error
         waves = (stiffness_waves, error_waves, self.clearance, self.torque)
         harmonics = np.zeros((max(len(wave.amplitudes) for wave in waves), 8))
         for column, wave in enumerate(waves):

@@ -130,6 +130,11 @@ def equivalent_mass(pair: GearPair, density: dict, inertia: dict) -> tuple[np.nd
     return moments, float(moments.prod() / (moments[0] * r[1] ** 2 + moments[1] * r[0] ** 2))
 
 
+def disc_mass(pair: GearPair, density: dict) -> np.ndarray:
+    """Return the masses of solid discs of the reference radii less the bores (kg, shape (2,))."""
+    return np.pi * each(density) * pair.face_width * (pair.reference_radius**2 - pair.bore_radius**2)
+
+
 def _working_angle(alpha, base, z, shift, centre_distance):
     if centre_distance is None:
         target = involute(alpha) + 2 * math.tan(alpha) * shift.sum() / z.sum()

@@ -27,8 +27,8 @@ class Orbit(NamedTuple):
 
     value : of the parameter
     period : mesh periods after which it repeats
-    section : (period, 2) displacement and velocity at mesh phase 0
-    matrix : (2, 2) monodromy matrix over the period, from the first point of the section
+    section : (period, size) states at mesh phase 0, displacement and velocity first
+    matrix : (size, size) monodromy matrix over the period, from the first point of the section
     """
 
     value: float
@@ -38,7 +38,7 @@ class Orbit(NamedTuple):
 
     @property
     def multipliers(self) -> np.ndarray:
-        """(2,) Floquet multipliers, the one of largest modulus first."""
+        """(size,) Floquet multipliers, the one of largest modulus first."""
         return multipliers(self.matrix)
 
     @property
@@ -74,30 +74,31 @@ def periodic_orbit(family: Family, value: float, state, period: int, accuracy: f
     Parameters
     ----------
     value : of the parameter of the family.
-    state : (2,) displacement and velocity at mesh phase 0.
+    state : (size,) at mesh phase 0.
     period : mesh periods.
     accuracy : size of the last correction; the error after it is the square of it, or that of the integrator.
 
     Raises
     ------
     ValueError
-        For a state that is not two finite numbers, an accuracy that is not positive, or a value or period that the
+        For a state that is no list of finite numbers, an accuracy that is not positive, or a value or period that the
         family refuses.
     """
     state = np.array(state, dtype=float)
-    if state.shape != (2,) or not np.isfinite(state).all():
-        raise ValueError(f"state: {state} must be two finite numbers, displacement and velocity (dimensionless)")
+    if state.ndim != 1 or state.size < 2 or not np.isfinite(state).all():
+        raise ValueError(f"state: {state} must be finite numbers, displacement and velocity first (dimensionless)")
     if not accuracy > 0.0:
         raise ValueError(f"accuracy: {accuracy} (dimensionless) must be above 0")
     return_map = family(value, period)
     corrections: list[float] = []
     passage = return_map(state)
+    state = passage.section[0]
     for _ in range(_MOST_STEPS):
         if not np.isfinite(passage.matrix).all():
             return Attempt(None, MOTION_LOST, tuple(corrections))
         residual = passage.section[-1] - state
         try:
-            full = np.linalg.solve(np.eye(2) - passage.matrix, residual)
+            full = np.linalg.solve(np.eye(state.size) - passage.matrix, residual)
         except np.linalg.LinAlgError:
             return Attempt(None, SINGULAR, tuple(corrections))
         done = has_settled(np.abs(full).max(), corrections[-1] if corrections else np.inf, accuracy)
@@ -105,7 +106,7 @@ def periodic_orbit(family: Family, value: float, state, period: int, accuracy: f
         for _ in range(_MOST_HALVINGS):
             tried = return_map(state + share * full)
             left = tried.section[-1] - tried.section[0]
-            if done or np.hypot(*left) < (1 - 0.1 * share) * np.hypot(*residual):
+            if done or np.hypot.reduce(left) < (1 - 0.1 * share) * np.hypot.reduce(residual):
                 break
             share /= 2
         else:

@@ -22,8 +22,8 @@ LOST = "the motion blows up or needs too many steps"
 class Passage(NamedTuple):
     """One run through the map.
 
-    section : (period + 1, 2) displacement and velocity at mesh phase 0, the start first
-    matrix : (2, 2) derivative of the last state by the first
+    section : (period + 1, size) states at mesh phase 0, displacement and velocity first, the start first
+    matrix : (size, size) derivative of the last state by the first
     """
 
     section: np.ndarray
@@ -63,7 +63,7 @@ def return_maps(
 
         def run(state: np.ndarray) -> Passage:
             motion = strobe(oscillator, state, period, 0, tolerance, detail=MAPS, backend=backend)
-            matrix = np.eye(2)
+            matrix = np.eye(oscillator.size)
             for tangent_map in motion.tangent_maps:
                 matrix = tangent_map @ matrix
             return Passage(motion.states, matrix)

@@ -89,6 +89,10 @@ FIELDS: dict[str, Field] = {
     "reference_effective_stiffness": Field("N m-1", "effective stiffness of the reference case", _PHASE),
     "reference_transmission_error": Field("m", "transmission error of the reference case", _PHASE),
     "mesh_time": Field("s", "time since a pair entered, at the running speed", _PHASE),
+    "bearing_direction": Field("", "direction against the line of centres", (("bearing_direction",),)),
+    "bearing_mass": Field("1", "mass that moves on the bearing over equivalent mass of the pair", _GEAR),
+    "bearing_stiffness": Field("1", "bearing stiffness over mean mesh stiffness", (("gear", "bearing_direction"),)),
+    "bearing_damping_ratio": Field("1", "damping ratio of the mass on the bearing alone", _GEAR),
     # geometry
     "teeth": Field("1", "number of teeth", _GEAR),
     "module": Field("m", "module", _SCALAR),
@@ -107,6 +111,7 @@ FIELDS: dict[str, Field] = {
     "rack_root_angle": Field("rad", "half tooth angle on the root circle, rack formula of the peers", _GEAR),
     "straight_root_angle": Field("rad", "half tooth angle on the root circle, straight root", _GEAR),
     "generated_root_angle": Field("rad", "half tooth angle on the root circle, generated fillet", _GEAR),
+    "mass": Field("kg", "mass of a disc of the reference radius less the bore", _GEAR),
     "moment_of_inertia": Field("kg m2", "polar moment of inertia", _GEAR),
     "equivalent_mass": Field("kg", "equivalent mass on the line of action", _SCALAR),
     "line_of_action": Field("m", "distance between the base tangent points", _SCALAR),

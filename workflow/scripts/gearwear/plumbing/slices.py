@@ -82,6 +82,8 @@ STAGES: dict[str, tuple[str, ...]] = {
         "dynamics.harmonics",
         "dynamics.ste_amplitude",
         "dynamics.clearance",
+        "dynamics.model",
+        "dynamics.bearings",
         "operation.pinion_torque",
     ),
     "given_excitation": ("oscillators.{case}",),
@@ -145,6 +147,9 @@ STAGES: dict[str, tuple[str, ...]] = {
     ),
 }
 
+# Stages that follow branches of periodic orbits, or take a motion up from its section, which model torsional alone has.
+FOLLOWING = ("branches", "onsets", "measures", "member_onsets", "outcome", "motions")
+
 # Keys of a sweep that a stage passes over: the list of cases decides which files are made, not what is in them.
 _PASSED_OVER = {
     "sweep": ("cases",),
@@ -161,8 +166,18 @@ _PASSED_OVER = {
 
 
 def slice_of(config: dict, stage: str, case: str = "", sweep: str = "") -> dict[str, Any]:
-    """Return the settings `stage` may see, as one nested dict of builtin values with sorted keys."""
-    wanted = list(STAGES[stage])
+    """Return the settings `stage` may see, as one nested dict of builtin values with sorted keys.
+
+    Raises
+    ------
+    ValueError : the model of the configuration has no such stage.
+    """
+    wanted, model = list(STAGES[stage]), config["dynamics"]["model"]
+    if stage in FOLLOWING and model != "torsional":
+        raise ValueError(
+            f"dynamics.model: {model} has neither branches of periodic orbits nor a section that is its whole state; "
+            f"without them there are no {stage}: give torsional, or leave this target out"
+        )
     if stage == "mesh_stiffness" and config["mesh_stiffness"]["hertz"] == "weber":
         wanted.append("operation.pinion_torque")
     cut: dict[str, Any] = {}

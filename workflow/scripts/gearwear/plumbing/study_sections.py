@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field, Strict
 
 from gearwear.plumbing.basin_sections import Basins
+from gearwear.plumbing.bearing_sections import GearBearings
 from gearwear.plumbing.bulk import COLDEST, HOTTEST
 from gearwear.plumbing.calibration_sections import Calibration
 from gearwear.plumbing.gear_sections import (
@@ -108,8 +109,13 @@ class Start(Section):
 
 
 class Dynamics(Section):
-    """Torsional oscillator with backlash."""
+    """Oscillator with backlash."""
 
+    model: Literal["torsional", "translational"] = choice(
+        "Motion of the gears",
+        torsional="they turn about fixed centres",
+        translational="they turn, and move sideways on bearings; without branches and what is made of them",
+    )
     reference_case: Name = plain(
         "Case whose mean transmission error and stiffness scale the excitation; it has no wear."
     )
@@ -135,6 +141,7 @@ class Dynamics(Section):
         varying="function of the mesh phase",
     )
     torque_fluctuation: TorqueFluctuation
+    bearings: GearBearings
     tolerance: Number = quantity(
         "1",
         "Relative tolerance of Dormand-Prince, used where the affine map does not apply: a torque that does not repeat "

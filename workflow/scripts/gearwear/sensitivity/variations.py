@@ -17,6 +17,8 @@ from gearwear.sensitivity.parameters import ENDS, OPTION, PARAMETER, PLACES, val
 
 STUDY = "sensitivity"
 
+# How a motion is computed, and a model without the branches by which a doubling is measured.
+_PASSED_OVER = ("settling", "dynamics.model")
 # Values of a choice beside its words.
 _MORE = {"dynamics.harmonics": (1, 3)}
 # What a choice takes along: without it the configuration is refused.
@@ -45,7 +47,7 @@ def variations(config: dict[str, Any]) -> list[Variation]:
     """Return every variation: the options in the order of the models, then both ends of every parameter.
 
     A choice enters if a stage behind the measures reads it, unless it decides only how a motion is computed (section
-    `settling`). An end that is the value of the study makes no member.
+    `settling`) or takes the measures away (`dynamics.model`). An end that is the value of the study makes no member.
 
     Parameters
     ----------
@@ -70,7 +72,8 @@ def _choices() -> Iterator[tuple[str, tuple[Any, ...]]]:
     for path, field in keys(Configuration):
         key = ".".join(path)
         values = (*_words(field.annotation), *_MORE.get(key, ()))
-        if values and path[0] != "settling" and "<" not in key and readers(path, {"measures": STAGES["measures"]}):
+        passed_over = path[0] in _PASSED_OVER or key in _PASSED_OVER
+        if values and not passed_over and "<" not in key and readers(path, {"measures": STAGES["measures"]}):
             yield key, values
 
 

@@ -1,0 +1,109 @@
+"""Response, sweeps and figure of a pair on bearings, by the configuration alone."""
+
+import importlib
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from gearwear.plumbing import store
+from gearwear.plumbing.slices import slice_of
+
+STIFF, SOFT = 1e12, 3e8
+SHORT = {
+    "settling.transient_periods": 100,
+    "settling.longest_transient": 100,
+    "settling.sampled_periods": 32,
+    "settling.largest_period": 4,
+    "sweeps.mesh_frequency.first": 0.5,
+    "sweeps.mesh_frequency.last": 0.9,
+    "sweeps.mesh_frequency.points": 3,
+}
+SWEPT = ("geometry", "mesh_stiffness", "transmission_error", "backlash", "reference_stiffness", "reference_error")
+
+
+@pytest.fixture(scope="module")
+def files(states):
+    found = states("without")
+    return found | {"reference_stiffness": found["mesh_stiffness"], "reference_error": found["transmission_error"]}
+
+
+@pytest.fixture(scope="module")
+def of_model(study):
+    """Return a function that gives the short study with bearings of a stiffness; None, of the torsional model."""
+
+    def make(stiffness=None, across=1.0):
+        changes = dict(SHORT)
+        if stiffness is not None:
+            changes["dynamics.model"] = "translational"
+            for gear in ("pinion", "gear"):
+                changes[f"dynamics.bearings.{gear}.stiffness_along"] = stiffness
+                changes[f"dynamics.bearings.{gear}.stiffness_across"] = across * stiffness
+        return study(changes)
+
+    return make
+
+
+@pytest.fixture(scope="module")
+def swept(files, tmp_path_factory):
+    """Return a function that makes the sweep over the mesh frequency, from rest or carried on."""
+
+    def run(config, script, **wildcards):
+        output = tmp_path_factory.mktemp("sweep") / "mesh_frequency.nc"
+        job = SimpleNamespace(
+            rule=script,
+            input=SimpleNamespace(**{name: str(files[name]) for name in SWEPT}, items=lambda: []),
+            output=[str(output)],
+            params=SimpleNamespace(cfg=slice_of(config, "sweep", "without", "mesh_frequency"), code="0" * 16),
+            wildcards=SimpleNamespace(sweep="mesh_frequency", case="without", **wildcards),
+        )
+        importlib.import_module(script).main(job)
+        return store.load(output)
+
+    return run
+
+
+def test_mass_of_a_gear_is_that_of_its_disc(files, study):
+    geometry, cfg = store.load(files["geometry"]), study()
+    reference, bore = geometry["reference_radius"].values, geometry["bore_radius"].values
+    density = [cfg["material"][gear]["density"] for gear in ("pinion", "gear")]
+    volume = np.pi * cfg["gear_pair"]["face_width"] * (reference**2 - bore**2)
+    np.testing.assert_allclose(geometry["mass"], density * volume, rtol=1e-12)
+    # a solid disc: J = m (r^2 + r_bore^2)/2
+    inertia = geometry["mass"] * (reference**2 + bore**2) / 2
+    np.testing.assert_allclose(geometry["moment_of_inertia"], inertia, rtol=1e-12)
+
+
+def test_response_on_stiff_bearings_is_that_of_the_torsional_model(files, of_model, run_stage):
+    torsional, stiff, soft = (
+        store.load(run_stage("response", of_model(stiffness), "without", files)) for stiffness in (None, STIFF, SOFT)
+    )
+    force = torsional["mesh_force"].values
+    assert stiff["mesh_force"].values == pytest.approx(force, rel=2e-3, abs=0)
+    assert stiff["natural_frequency"] == torsional["natural_frequency"]
+    assert np.abs(soft["mesh_force"].values / force - 1).max() > 0.02
+    # over a closed orbit neither inertia, bearings nor damping leave a mean
+    width = store.load(files["geometry"])["mesh_phase_width"].values
+    assert soft["mesh_force"].values @ width == pytest.approx(float(soft["mean_force"]), rel=2e-3)
+
+
+def test_sweeps_of_both_kinds_hold_the_evidence_of_the_torsional_ones(of_model, swept):
+    torsional = swept(of_model(), "sweep_part", scatteritem="1-of-1")
+    stiff = swept(of_model(STIFF), "sweep_part", scatteritem="1-of-1")
+    soft = swept(of_model(SOFT, across=0.3), "sweep_part", scatteritem="1-of-1")
+    assert set(stiff.variables) == set(torsional.variables)
+    np.testing.assert_array_equal(stiff["motion_class"], torsional["motion_class"])
+    np.testing.assert_allclose(
+        stiff["section_displacement"][:, -1], torsional["section_displacement"][:, -1], atol=2e-3
+    )
+    np.testing.assert_allclose(stiff["force_max"], torsional["force_max"], rtol=2e-3)
+    assert np.abs(soft["force_max"] - torsional["force_max"]).max() > 0.02
+    assert (soft["motion_class"] > 0).all() and (soft["stable_orbit_period"] > 0).all()
+    carried = swept(of_model(SOFT, across=0.3), "carry_sweep", order="down")
+    np.testing.assert_array_equal(carried["motion_class"], soft["motion_class"])
+    np.testing.assert_allclose(carried["section_displacement"][:, -1], soft["section_displacement"][:, -1], atol=1e-5)
+
+
+def test_branches_are_refused_by_their_name(of_model):
+    with pytest.raises(ValueError, match="dynamics.model: translational has no branches of periodic orbits"):
+        slice_of(of_model(SOFT), "branches", "with", "mesh_frequency")
