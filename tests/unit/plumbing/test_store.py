@@ -75,7 +75,7 @@ def test_every_field_has_a_unit_unless_it_is_a_label_or_an_index():
     integers_and_words |= {f"member_{what}_{case}" for what in ("how", "remark") for case in ("without", "with")}
     integers_and_words |= {"case", "hindrance", "group", "key", "value", "usual_value", "companions"}
     integers_and_words |= {"first_doubling_remark", "chaos_onset_remark"}
-    integers_and_words |= {"order", "member_name", "running_class"}
+    integers_and_words |= {"order", "member_name", "running_class", "bearing_direction"}
     integers_and_words |= {"claim", "sweep", "claim_subject", "candidate_remark"}
     assert without == integers_and_words
     assert all(field.long_name and field.dims for field in FIELDS.values())
