@@ -193,7 +193,7 @@ BAD = [
     (
         "gear_pair.bore_radius.gear",
         "3 mmm",
-        "text '3 mmm' has an unknown unit; give a number from 1.0e-4 to 5 m "
+        "text '3 mmm' has an unknown unit; give a number from 1.0e-4 to 5 m or null "
         "(or with its unit, such as 3 mm, 65 um or 0.63 in)",
     ),
     (

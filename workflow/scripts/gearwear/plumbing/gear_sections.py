@@ -20,6 +20,8 @@ from gearwear.plumbing.key_types import (
 )
 
 _Distance = Annotated[float, Field(ge=1e-3, le=20.0), ReadNumber]
+_Bore = Annotated[float, Field(ge=1e-4, le=5.0), ReadNumber]
+_Clearance = Annotated[float, Field(ge=1e-7, le=1e-2), ReadNumber]
 _Inertia = Annotated[float, Field(gt=0.0, le=1e6), ReadNumber]
 
 
@@ -47,8 +49,12 @@ class ProfileShift(Section):
 class BoreRadius(Section):
     """Radii of the bores."""
 
-    pinion: Number = quantity("m", "Bore radius of the pinion, at which its body is held.", ge=1e-4, le=5.0)
-    gear: Number = quantity("m", "Bore radius of the gear, at which its body is held.", ge=1e-4, le=5.0)
+    pinion: Annotated[_Bore | None, OrNull] = quantity(
+        "m", "Bore radius of the pinion, at which its body is held; null = 0.45 of its root radius."
+    )
+    gear: Annotated[_Bore | None, OrNull] = quantity(
+        "m", "Bore radius of the gear, at which its body is held; null = 0.45 of its root radius."
+    )
 
 
 class Inertia(Section):
@@ -240,7 +246,9 @@ class TransmissionError(Section):
 class Backlash(Section):
     """Time-varying backlash."""
 
-    half_backlash: Number = quantity("m", "Half the initial backlash on the line of action.", ge=1e-7, le=1e-2)
+    half_backlash: Annotated[_Clearance | None, OrNull] = quantity(
+        "m", "Half the initial backlash on the line of action; null = half the least one of ISO/TR 10064-2."
+    )
     projection: Literal["shi", "exact"] = choice(
         "Projection of wear, growth and deflection on the back side",
         shi="cosine of twice the pressure angle (after Shi et al. 2019)",

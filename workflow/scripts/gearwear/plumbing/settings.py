@@ -10,7 +10,7 @@ from typing import Any
 from pydantic import TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 
-from gearwear.plumbing import units
+from gearwear.plumbing import derived, units
 from gearwear.plumbing.consistency import Problem, disagreements
 from gearwear.plumbing.key_types import Section, adapter, entry_type, free_names, is_section, keys, unit_of
 from gearwear.plumbing.study_sections import Configuration
@@ -37,6 +37,7 @@ class ConfigError(ValueError):
 def check(raw: Any) -> dict[str, Any]:
     """Return the configuration as nested dicts of builtin values, keys in the order of the models.
 
+    What is null and follows from other values gets its number (`gearwear.plumbing.derived`).
     Numbers may be spelled as text (`1e-8` is text in YAML 1.1), whole numbers as 2.1e+9.
 
     Parameters
@@ -49,6 +50,8 @@ def check(raw: Any) -> dict[str, Any]:
     """
     problems: list[Problem] = []
     values = _read_section(Configuration, raw, (), problems)
+    if not problems:
+        values = derived.resolved(values)
     told = {path[:depth] for path, _ in problems for depth in range(len(path) + 1)}
     problems += [problem for problem in disagreements(values) if problem[0] not in told]
     if problems:
