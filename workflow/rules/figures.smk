@@ -12,6 +12,16 @@ PACKAGES = (
 )
 STYLE = str(Path(workflow.basedir) / "workflow" / "report" / "gearwear.mplstyle")
 TABLE = str(Path(workflow.basedir) / "workflow" / "report" / "table.html.j2")
+# The default first, each over the ones before it.
+CONFIGURATION_FILES = list(
+    dict.fromkeys(
+        str(file)
+        for file in (
+            Path(workflow.basedir) / "config" / "config.yaml",
+            *workflow.overwrite_configfiles,
+        )
+    )
+)
 CLAIMS = str(Path(workflow.basedir) / "config" / "paper_claims.yaml")
 
 
@@ -108,6 +118,7 @@ def caption(figure):
 
 rule list_parameters:
     input:
+        files=CONFIGURATION_FILES,
         template=TABLE,
     output:
         csv="results/parameters.csv",
@@ -122,7 +133,10 @@ rule list_parameters:
     benchmark:
         "results/benchmarks/list_parameters.tsv"
     params:
-        cfg=config,
+        cfg={
+            "configuration": config,
+            "command_line": workflow.config_settings.config or {},
+        },
         code=code("list_parameters.py"),
     message:
         "Listing the values of the configuration."

@@ -1,15 +1,20 @@
-"""Every value of the configuration that a run was made with."""
+"""Every value of the configuration that a run was made with, and where it comes from."""
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gearwear.plumbing import parameters, stage, tables
+from gearwear.plumbing import origins, parameters, stage, tables
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
 
 
 def main(job):
-    tables.write(job, "parameters", parameters.COLUMNS, parameters.rows(job.params.cfg))
+    cfg = job.params.cfg
+    files = [Path(file) for file in job.input.files]
+    layers = [origins.file_layer(file.name, file.read_text(encoding="utf-8")) for file in files]
+    layers.append(origins.command_line_layer(cfg["command_line"]))
+    tables.write(job, "parameters", parameters.COLUMNS, parameters.rows(cfg["configuration"], layers))
 
 
 if __name__ == "__main__":

@@ -1,13 +1,17 @@
 import yaml
 
-from gearwear.plumbing import parameters, settings
+from gearwear.plumbing import origins, parameters, settings
 from gearwear.plumbing.closure import SCRIPTS
 
 
 def listed(changes=None):
-    raw = yaml.safe_load((SCRIPTS.parents[1] / "config" / "config.yaml").read_text())
-    config = settings.check(raw | (changes or {}))
-    return config, {key: rest for key, *rest in parameters.rows(config)}
+    text = (SCRIPTS.parents[1] / "config" / "config.yaml").read_text()
+    config = settings.check(yaml.safe_load(text) | (changes or {}))
+    layers = [origins.file_layer("config.yaml", text), origins.command_line_layer(changes or {})]
+    rows = list(parameters.rows(config, layers))
+    found = {key: rest for key, *rest in rows}
+    assert len(found) == len(rows)
+    return config, found
 
 
 def values_of(config, path=()):
@@ -22,12 +26,11 @@ def values_of(config, path=()):
 def test_every_value_of_the_configuration_is_listed_once():
     config, rows = listed()
     assert set(rows) == {key for key, _ in values_of(config)}
-    assert len(rows) == len(list(parameters.rows(config)))
 
 
-def test_rows_hold_value_unit_and_meaning():
+def test_rows_hold_value_unit_origin_and_meaning():
     _, rows = listed()
-    assert rows["material.gear.density"] == ["7850.0", "kg/m3", "Density."]
+    assert rows["material.gear.density"] == ["7850.0", "kg/m3", "field: case-hardening gear steel", "Density."]
     assert rows["cases.with.running_cycles"][:2] == ["2100000000", "1"]
     assert rows["backlash.projection"][:2] == ["shi", "-"]
     assert rows["gear_pair.centre_distance"][0] == "null"
@@ -37,3 +40,4 @@ def test_overrides_of_a_member_stand_in_one_row():
     overridden = {"cases": {"with": {"bulk_temperature": 120.0}}}
     _, rows = listed({"studies": {"heat": {"members": {"t120": overridden}}}})
     assert rows["studies.heat.members.t120"][0] == '{"cases": {"with": {"bulk_temperature": 120.0}}}'
+    assert rows["studies.heat.members.t120"][2] == "command line"

@@ -1,22 +1,29 @@
-"""Every value of a configuration with its key, unit and meaning."""
+"""Every value of a configuration with its key, unit, origin and meaning."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from gearwear.plumbing.key_types import unit_of
 from gearwear.plumbing.keytable import leaves
+from gearwear.plumbing.origins import Layer, origin
 
-COLUMNS = ("key", "value", "unit", "meaning")
+COLUMNS = ("key", "value", "unit", "origin", "meaning")
 
 
-def rows(config: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
-    """Yield key, value, unit ("-" for what is no number) and meaning, in the order of the declarations."""
+def rows(config: dict[str, Any], layers: Sequence[Layer]) -> Iterator[tuple[str, ...]]:
+    """Yield key, value, unit ("-" for what is no number), origin and meaning, in the order of the declarations.
+
+    Parameters
+    ----------
+    config : the checked configuration; layers : the files and the command line it was merged from.
+    """
     for path, field in leaves():
         for names, value in _values(config, path):
-            yield ".".join(names), _worded(value), unit_of(field) or "-", field.description
+            unit = unit_of(field) or "-"
+            yield ".".join(names), _worded(value), unit, origin(names, layers), field.description
 
 
 def _values(values: Any, path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Any]]:
