@@ -21,6 +21,7 @@ include: "workflow/rules/state.smk"
 include: "workflow/rules/sweeps.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/extra_figures.smk"
+include: "workflow/rules/warnings.smk"
 include: "workflow/rules/maps.smk"
 include: "workflow/rules/onsets.smk"
 include: "workflow/rules/sensitivity.smk"
@@ -39,6 +40,7 @@ rule all:
         "results/claims.html",
         "results/parameters.html",
         "results/versions.html",
+        "results/warnings.html",
 
 
 rule maps:

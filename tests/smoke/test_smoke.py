@@ -43,7 +43,16 @@ def test_the_list_of_parameters_has_the_values_of_the_run(smoke_run):
         rows = {row["key"]: row for row in csv.DictReader(file)}
     assert rows["grid.mesh_cells"]["value"] == "80"
     assert (rows["gear_pair.module"]["value"], rows["gear_pair.module"]["unit"]) == ("0.003175", "m")
-    assert all(row["meaning"] for row in rows.values())
+    assert all(row["meaning"] and row["origin"] for row in rows.values())
+    assert rows["grid.mesh_cells"]["origin"] == "smoke.yaml"
+    assert rows["gear_pair.module"]["origin"].startswith("field: ")
+
+
+def test_every_warning_is_on_the_screen_once(smoke_run):
+    with open(smoke_run.folder / "results" / "warnings.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    said = [line for line in smoke_run.printed.splitlines() if line.startswith("warning: ")]
+    assert len(said) == len(rows) == len(set(said))
 
 
 def test_every_job_left_a_log_and_a_benchmark(smoke_run):
@@ -106,7 +115,7 @@ def test_the_report_holds_every_figure_and_page_with_its_caption(smoke_run):
     with zipfile.ZipFile(smoke_run.folder / "report.zip") as report:
         names = {Path(name).name for name in report.namelist()}
         page = report.read("report/report.html").decode()
-    pages = {"claims.html", "claims.csv", "parameters.html", "versions.html", "basins_with_ste.svg"}
+    pages = {"claims.html", "claims.csv", "parameters.html", "versions.html", "warnings.html", "basins_with_ste.svg"}
     assert names >= pages | {f"{figure}.svg" for figure in FIGURES}
     for word in ("A dot for every wear cycle computed", "Case with: 100 °C bulk temperature, 0.3", "Where to look"):
         assert word in page or json.dumps(word)[1:-1] in page, word

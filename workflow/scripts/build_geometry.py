@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.chain.geometry import beyond_fits, geometry
+from gearwear.chain.geometry import geometry
 from gearwear.plumbing import stage, store
 
 if TYPE_CHECKING:
@@ -13,8 +13,6 @@ def main(job):
     pair = geometry(job.params.cfg)
     ratio, mass = float(pair["contact_ratio"]), float(pair["equivalent_mass"])
     stage.log.info("contact ratio %.4f, equivalent mass %.4f kg", ratio, mass)
-    for sentence in beyond_fits(pair):
-        stage.announce(f"warning: {sentence}")
     store.save(pair, job)
 
 

@@ -14,8 +14,6 @@ def main(job):
     solved = response(job.params.cfg, store.load(job.input.geometry), *store.mesh_states(job.input))
     motion_class = int(solved["motion_class"])
     stage.log.info("mesh frequency ratio %.4f: %s", float(solved["mesh_frequency_ratio"]), class_name(motion_class))
-    if not motion_class:
-        stage.announce(f"warning: {job.output[0]}: the motion did not settle; forces are those of the sampled periods")
     store.save(solved, job)
 
 

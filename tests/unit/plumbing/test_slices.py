@@ -94,7 +94,7 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
             | {"basins"},
         ),
         ("operation.pinion_speed", {"temperature", "advance_wear", "response"}),
-        ("lubricant.composite_roughness", {"temperature", "advance_wear"}),
+        ("lubricant.composite_roughness", {"temperature", "advance_wear", "warnings"}),
         ("friction.dry", {"temperature"}),
         ("heat.flash_coefficient", {"temperature"}),
         ("heat.growth", {"deformation"}),

@@ -9,7 +9,6 @@ import xarray as xr
 from gearwear.geometry.contact_path import contact_path
 from gearwear.geometry.involute import GEARS, equivalent_mass, gear_pair
 from gearwear.geometry.record import dataset
-from gearwear.mesh.foundation import fit_warnings
 
 
 def geometry(cfg: dict[str, Any]) -> xr.Dataset:
@@ -26,12 +25,3 @@ def geometry(cfg: dict[str, Any]) -> xr.Dataset:
     mesh = contact_path(pair, cfg["grid"]["mesh_cells"])
     moments, mass = equivalent_mass(pair, density, inertia)
     return dataset(pair, mesh).assign({"moment_of_inertia": ("gear", moments), "equivalent_mass": mass})
-
-
-def beyond_fits(pair: xr.Dataset) -> list[str]:
-    """Return a sentence for every fit of the gear bodies that the pair, as `geometry` gives it, lies outside of."""
-    found = []
-    for i, name in enumerate(GEARS):
-        root, bore, angle = (float(pair[key][i]) for key in ("root_radius", "bore_radius", "rack_root_angle"))
-        found += fit_warnings(root / bore, angle, name)
-    return found

@@ -42,17 +42,3 @@ def foundation_compliance(
     depth = (base_radius / np.cos(load_angles) - root_radius) / (2 * root_radius * root_angle)
     bracket = l_star * depth**2 + m_star * depth + p_star * (1 + q_star * np.tan(load_angles) ** 2)
     return np.cos(load_angles) ** 2 * bracket
-
-
-def fit_warnings(root_over_bore: float, root_angle: float, gear: str) -> list[str]:
-    """Return a sentence for each input outside the range of the published fit."""
-    sentences = []
-    for what, value, (low, high), unit in (
-        ("root over bore radius", root_over_bore, RADIUS_RATIO_RANGE, ""),
-        ("half tooth angle at the root", root_angle, ROOT_ANGLE_RANGE, " rad"),
-    ):
-        if not low <= value <= high:
-            sentences.append(
-                f"foundation of the {gear}: {what} {value:.4g}{unit} is outside the fitted range {low} to {high}{unit}"
-            )
-    return sentences

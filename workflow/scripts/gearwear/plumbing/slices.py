@@ -96,6 +96,7 @@ STAGES: dict[str, tuple[str, ...]] = {
         "sweeps.backlash",
         *(f"calibration.{name}" for name in Calibration.model_fields if name != "islands"),
     ),
+    "warnings": ("lubricant.pressure_viscosity", "lubricant.composite_roughness", "wear.law"),
     "portraits": (*_EXCITED, "sweeps.{sweep}", "portraits.{sweep}.{case}"),
     "basins": (
         *_EXCITED,
