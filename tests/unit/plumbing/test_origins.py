@@ -62,6 +62,14 @@ def test_the_command_line_comes_last():
     assert origin(("operation", "pinion_speed"), layers) == "own_pair.yaml"
 
 
+def test_a_section_that_yaml_merges_in_counts_as_set():
+    text = "base: &steel {density: 7800.0}\nmaterial: {pinion: {<<: *steel}, gear: {<<: [*steel]}}\n"
+    layers = [DEFAULT, file_layer("mine.yaml", text)]
+    assert origin(("material", "pinion", "density"), layers) == "mine.yaml"
+    assert origin(("material", "gear", "density"), layers) == "mine.yaml"
+    assert origin(("material", "gear", "poisson_ratio"), layers).startswith("field")
+
+
 @pytest.mark.parametrize("text", ["", "# nothing yet\n", "[]"])
 def test_a_file_that_sets_nothing(text):
     layers = [DEFAULT, file_layer("empty.yaml", text)]

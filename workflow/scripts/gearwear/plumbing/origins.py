@@ -85,6 +85,10 @@ def _nodes(node: yaml.Node | None, path: Path) -> Iterator[tuple[Path, yaml.Node
     """Yield path, node of the key and node of the value of every key, sections before the keys below them."""
     if isinstance(node, yaml.MappingNode):
         for key, value in node.value:
+            if key.tag.endswith(":merge"):
+                for merged in value.value if isinstance(value, yaml.SequenceNode) else [value]:
+                    yield from _nodes(merged, path)
+                continue
             here = (*path, str(key.value))
             yield here, key, value
             yield from _nodes(value, here)
