@@ -5,6 +5,7 @@ PACKAGES = (
     "netCDF4",
     "numba",
     "numpy",
+    "pint",
     "pydantic",
     "scipy",
     "snakemake",
