@@ -150,7 +150,7 @@ def edited_plan(project, module: str, old: str, new: str) -> set[str]:
     assert old in before
     try:
         path.write_text(before.replace(old, new, 1))
-        return project.planned()
+        return project.planned() - WARNINGS
     finally:
         path.write_text(before)
 

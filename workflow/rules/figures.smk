@@ -7,6 +7,7 @@ PACKAGES = (
     "netCDF4",
     "numba",
     "numpy",
+    "pint",
     "pydantic",
     "scipy",
     "snakemake",
