@@ -13,6 +13,10 @@ ROOT = Path(__file__).resolve().parents[1]
 SMOKE = ("--configfile", "config/config.yaml", "config/smoke.yaml")
 
 
+def pytest_addoption(parser):
+    parser.addoption("--cluster", action="store_true", help="install and start Slurm, and test the run through it")
+
+
 class Project:
     """A copy of the program in a folder of its own."""
 

@@ -1,11 +1,11 @@
 from snakemake.exceptions import WorkflowError
 
-from gearwear.plumbing import settings
+from gearwear.plumbing import orders, settings
 from gearwear.plumbing.chains import chain_of, chains, updates_of
 from gearwear.plumbing.bulk import resolved
 from gearwear.plumbing.closure import digest
 from gearwear.plumbing.members import hindrance, members, temperature_root
-from gearwear.plumbing.runlock import RunningAlready, hold, only_looks
+from gearwear.plumbing.runlock import NoLocks, RunningAlready, hold, only_looks
 from gearwear.plumbing.slices import slice_of
 
 # The wear chain is one path of five jobs a cycle; Snakemake walks it recursively.
@@ -20,11 +20,19 @@ except settings.ConfigError as error:
 
 
 # Before any job is planned: a plan made while another run is at work would be out of date when it ends.
-if workflow.is_main_process and not only_looks(sys.argv[1:]):
-    try:
-        hold()
-    except RunningAlready as error:
-        raise WorkflowError(str(error))
+# A job that an executor starts comes by here as well, perhaps on another machine.
+try:
+    PLAN = orders.plan_of(config, Path(workflow.basedir) / "workflow")
+    if not workflow.is_main_process:
+        orders.check_plan(PLAN)
+    else:
+        orders.give(PLAN, "" if only_looks(sys.argv[1:]) else hold())
+except (RunningAlready, NoLocks, orders.Outdated) as error:
+    raise WorkflowError(str(error))
+
+
+envvars:
+    orders.VARIABLE,
 
 
 def one_of(*sections):
@@ -91,7 +99,9 @@ def cfg(stage):
 
 def code(script):
     """The digest of everything a stage script can run."""
-    return digest(Path(workflow.basedir) / "workflow" / "scripts" / script)
+    path = Path(workflow.basedir) / "workflow" / "scripts" / script
+    # All at the start of the run; a job that an executor starts needs its own only.
+    return digest(path) if workflow.is_main_process else lambda wildcards: digest(path)
 
 
 def last(case, root=""):

@@ -85,6 +85,27 @@ def test_the_process_that_tries_in_vain_can_try_again(run, tmp_path, monkeypatch
     runlock.os.close(descriptor)
 
 
+def test_every_run_has_a_name_of_its_own_in_the_lock_file(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(runlock, "_held", [])
+    names = []
+    for _ in range(2):
+        names.append(runlock.hold())
+        assert runlock.LOCK.read_text() == names[-1]
+        runlock.os.close(runlock._held.pop())
+    assert len(set(names)) == 2
+
+
+def test_a_file_system_without_locks_is_named(tmp_path, monkeypatch):
+    def refuse(*_):
+        raise OSError(38, "Function not implemented")
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(runlock.fcntl, "flock", refuse)
+    with pytest.raises(runlock.NoLocks, match=r"Function not implemented.*--directory"):
+        runlock.hold()
+
+
 @pytest.mark.parametrize("line", ["-n all", "-np", "all --dry-run", "--report=r.zip", "--list-rules", "--unlock", "-D"])
 def test_commands_that_only_look_take_no_lock(line):
     assert only_looks(line.split())

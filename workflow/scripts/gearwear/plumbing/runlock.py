@@ -5,6 +5,7 @@ from __future__ import annotations
 import fcntl
 import os
 import re
+import secrets
 from pathlib import Path
 
 LOCK = Path(".snakemake") / "run.lock"
@@ -25,12 +26,21 @@ def only_looks(arguments: list[str]) -> bool:
     return any(LOOKING.fullmatch(argument.partition("=")[0]) for argument in arguments)
 
 
-def hold() -> None:
+class NoLocks(RuntimeError):
+    """The file system of the working directory has no locks."""
+
+
+def hold() -> str:
     """Hold the working directory until this process ends, however it ends: the kernel gives the lock back.
+
+    Returns
+    -------
+    A name of this run, which the lock file bears until the next run.
 
     Raises
     ------
     RunningAlready : another run holds it.
+    NoLocks : its file system does not know `flock`.
     """
     LOCK.parent.mkdir(exist_ok=True)
     descriptor = os.open(LOCK, os.O_RDWR | os.O_CREAT, 0o644)
@@ -41,4 +51,14 @@ def hold() -> None:
         raise RunningAlready(
             f"another run of this workflow is at work in {Path.cwd()}: wait for its end or run in another directory"
         ) from None
+    except OSError as error:
+        os.close(descriptor)
+        raise NoLocks(
+            f"{Path.cwd()}: its file system refuses locks ({error.strerror}): have it mounted with flock, "
+            "or run on another with --directory"
+        ) from None
+    name = secrets.token_hex(8)
+    os.truncate(descriptor, 0)
+    os.write(descriptor, name.encode())
     _held.append(descriptor)
+    return name

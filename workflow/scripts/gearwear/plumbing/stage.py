@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 
 from gearwear.plumbing.closure import digest
+from gearwear.plumbing.orders import check_run
 
 log = logging.getLogger("gearwear")
 
@@ -25,7 +26,8 @@ def logged(job, script: str) -> Iterator[None]:
     An error that the project words itself is one sentence in the log; any other keeps its traceback.
 
     The job stops with its parent, so that no orphan goes on writing after Snakemake was killed, and
-    refuses to start if its source changed after Snakemake read it, so that no result is mislabelled.
+    refuses to start if its source changed after Snakemake read it, so that no result is mislabelled,
+    or if another run has followed the one that ordered it.
 
     Parameters
     ----------
@@ -44,6 +46,7 @@ def logged(job, script: str) -> Iterator[None]:
             log.info("%s: %s", job.rule, ", ".join(job.output))
             if job.params.code != digest(script):
                 raise ValueError("the source code changed while the workflow was running: start it again")
+            check_run()
             yield
         except ValueError as error:
             if not worded(error):

@@ -11,6 +11,7 @@ import hashlib
 import json
 import os
 import re
+import socket
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -201,7 +202,8 @@ def lineages(job) -> dict[str, str]:
 @contextmanager
 def atomic(path: str | Path) -> Iterator[str]:
     """Give a temporary name beside `path` that becomes `path` only if the body succeeds."""
-    temporary = f"{path}.{os.getpid()}.tmp"
+    # The host, as an orphan on another one may have the same number.
+    temporary = f"{path}.{socket.gethostname()}.{os.getpid()}.tmp"
     try:
         yield temporary
         with open(temporary, "rb") as file:
