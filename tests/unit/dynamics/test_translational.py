@@ -115,7 +115,7 @@ def test_agrees_with_an_independent_integration(mesh, start, met):
     assert [bool(count) for count in corners] == [bool(count) for count in met]
     motion = strobe(oscillator, start, 3)
     assert motion.impacts.sum() <= sum(corners) <= 2 * motion.impacts.sum() + 1
-    np.testing.assert_array_equal(motion.states[-1], states[-1])
+    np.testing.assert_allclose(motion.states[-1], states[-1], rtol=0, atol=1e-12)
 
 
 def test_natural_frequencies_are_those_of_six_degrees_of_freedom():
@@ -171,7 +171,8 @@ def test_motion_across_the_line_of_action_needs_bearings_of_unlike_stiffness():
     alike = strobe(on_springs(0.4), (0.0, 0.0), 30, detail=0).states
     unlike = strobe(on_bearings(MESH), (0.0, 0.0), 30, detail=0).states
     across = slice(2 * PINION_ACROSS, 2 * PINION_ACROSS + 2)
-    assert np.abs(alike[:, across]).max() < 1e-15 < 1e-3 < np.abs(unlike[-10:, across]).min()
+    assert np.abs(alike[:, across]).max() < 1e-15
+    assert np.abs(unlike[-10:, across]).max() > 0.01
 
 
 def test_bearings_carry_the_mean_force():
@@ -215,7 +216,7 @@ def test_many_motions_are_those_alone():
 def test_extremes_and_contact_loss_are_those_of_a_dense_trace():
     oscillator = on_bearings(MESH)
     motion = strobe(oscillator, (0.0, 0.0), 3)
-    phases = (np.arange(4000) + 0.5) / 4000
+    phases = np.linspace(0, 1, 4001)  # both ends: the extreme of a period may be there
     x = visited(oscillator, (0.0, 0.0), phases, 3)[:, :, 0]
     force = oscillator.stiffness.at(phases) * (x - np.clip(x, -1, 1))
     np.testing.assert_allclose(motion.displacement_max, x.max(axis=1), atol=1e-5)
