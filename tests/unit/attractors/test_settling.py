@@ -172,4 +172,6 @@ def test_a_pair_on_stiff_bearings_settles_as_the_torsional_one():
             np.testing.assert_allclose(motion.displacement[-2:], settled.displacement[-2:], atol=5e-3)
             assert motion.stable_orbit_period == settled.stable_orbit_period == motion.period
             multiplier = abs(complex(motion.multiplier_real, motion.multiplier_imag))
-            assert motion.exponent == pytest.approx(np.log(multiplier) / motion.period / single.period, abs=1e-4)
+            # over the sample the length of the tangent vector swings about its mean growth, by a factor below e
+            swing = 1 / (SETTLING.sampled_periods * single.period)
+            assert motion.exponent == pytest.approx(np.log(multiplier) / motion.period / single.period, abs=swing)

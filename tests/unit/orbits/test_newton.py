@@ -97,10 +97,15 @@ def test_multipliers_stand_by_modulus():
     assert multipliers(np.array([[0.0, -1.0], [1.0, 0.0]])) == pytest.approx([1j, -1j])
 
 
-@pytest.mark.parametrize("state", [(0.0, math.nan), (1.0,), (0.0, 0.0, 0.0)])
+@pytest.mark.parametrize("state", [(0.0, math.nan), (1.0,)])
 def test_bad_states_are_refused(henon, state):
     with pytest.raises(ValueError, match="must be finite numbers"):
         periodic_orbit(henon, 0.5, state, 1)
+
+
+def test_a_state_of_another_size_than_that_of_the_oscillator_is_refused():
+    with pytest.raises(ValueError, match="must be two finite numbers"):
+        periodic_orbit(return_maps(lambda frequency: Oscillator(frequency, 0.1, 0.1)), 0.9, (0.0, 0.0, 0.0), 1)
 
 
 def test_an_accuracy_must_be_positive(henon):
