@@ -15,6 +15,7 @@ SMOKE = ("--configfile", "config/config.yaml", "config/smoke.yaml")
 
 def pytest_addoption(parser):
     parser.addoption("--cluster", action="store_true", help="install and start Slurm, and test the run through it")
+    parser.addoption("--long", action="store_true", help="the faults of tests/faults at every kind of stage and moment")
 
 
 class Project:
@@ -27,16 +28,23 @@ class Project:
             copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
             copy(ROOT / name, folder / name)
 
-    def snakemake(self, *arguments: str, cwd: Path | None = None) -> subprocess.CompletedProcess:
+    def snakemake(self, *arguments: str, cwd: Path | None = None, **variables: str) -> subprocess.CompletedProcess:
         """Run snakemake in the copy and return what it printed, both streams in `stdout`."""
+        with self.started(*arguments, cwd=cwd, **variables) as run:
+            printed, _ = run.communicate()
+        return subprocess.CompletedProcess(run.args, run.returncode, printed)
+
+    def started(self, *arguments: str, cwd: Path | None = None, **variables: str) -> subprocess.Popen:
+        """Start snakemake in the copy, in a session of its own, with variables added to the environment."""
         environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
-        return subprocess.run(
+        return subprocess.Popen(
             [sys.executable, "-m", "snakemake", *arguments],
             cwd=cwd or self.folder,
-            env=environment,
+            env=environment | variables,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
+            start_new_session=True,
         )
 
     def planned(self, *arguments: str) -> set[str]:
@@ -58,7 +66,7 @@ def make_project(tmp_path_factory):
 def smoke_run(tmp_path_factory):
     """A copy of the program after `snakemake -j2 all` on the smoke configuration."""
     project = Project(tmp_path_factory.mktemp("smoke"))
-    run = project.snakemake("-j2", "all", *SMOKE)
+    run = project.snakemake("-j2", "all", *SMOKE, "--skip-script-cleanup")  # tests/faults run single jobs again
     assert run.returncode == 0, run.stdout[-20000:]
     project.printed = run.stdout
     return project

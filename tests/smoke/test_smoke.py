@@ -135,22 +135,6 @@ def test_a_case_is_handed_over_with_every_wear_cycle(smoke_run):
     assert float(states[-1]["running_cycles"]) > float(states[0]["running_cycles"]) == 0
 
 
-def test_another_folder_gives_the_same_bytes(smoke_run, tmp_path):
-    targets = [
-        "results/with/response/q001.nc",
-        "results/without/sweeps/restart/mesh_frequency.nc",
-        "results/without/sweeps/down/mesh_frequency.nc",
-        "results/figures/fig07.svg",
-    ]
-    configs = [str(smoke_run.folder / "config" / name) for name in ("config.yaml", "smoke.yaml")]
-    run = smoke_run.snakemake(
-        "-j2", "--directory", str(tmp_path), "--set-scatter", "sweep=3", "--configfile", *configs, "--", *targets
-    )
-    assert run.returncode == 0, run.stdout
-    for target in targets:
-        assert (tmp_path / target).read_bytes() == (smoke_run.folder / target).read_bytes(), target
-
-
 def test_bad_config_stops_before_any_job(smoke_run, tmp_path):
     bad = smoke_run.folder / "bad.yaml"
     bad.write_text("dynamics: {dampng_ratio: 0.1}\nwear: {cycles_per_update: .nan}\n")

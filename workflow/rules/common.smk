@@ -5,11 +5,13 @@ from gearwear.plumbing.chains import chain_of, chains, updates_of
 from gearwear.plumbing.bulk import resolved
 from gearwear.plumbing.closure import digest
 from gearwear.plumbing.members import hindrance, members, temperature_root
+from gearwear.plumbing.orphans import mark
 from gearwear.plumbing.runlock import NoLocks, RunningAlready, hold, only_looks
 from gearwear.plumbing.slices import slice_of
 
 # The wear chain is one path of five jobs a cycle; Snakemake walks it recursively.
 sys.setrecursionlimit(20000)
+mark()
 
 try:
     config = settings.check(config)

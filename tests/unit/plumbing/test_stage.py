@@ -1,6 +1,8 @@
 """A stage job: its log, its failures, and its end when the workflow ends."""
 
+import io
 import os
+import shlex
 import signal
 import subprocess
 import sys
@@ -11,7 +13,7 @@ import numpy as np
 import pytest
 
 from gearwear.mesh.backlash import half_backlash
-from gearwear.plumbing import stage
+from gearwear.plumbing import orphans, stage
 from gearwear.plumbing.closure import SCRIPTS, digest
 
 ORPHAN = """
@@ -21,7 +23,8 @@ sys.path.insert(0, {scripts!r})
 from gearwear.plumbing import stage
 from gearwear.plumbing.closure import digest
 script = sys.argv[1]
-job = SimpleNamespace(rule="work", output=["made.nc"], log=[sys.argv[2]], params=SimpleNamespace(code=digest(script)))
+params = SimpleNamespace(code=digest(script))
+job = SimpleNamespace(rule="work", output=["made.nc"], log=[sys.argv[2]], params=params, input={{}}, config={{}})
 with stage.logged(job, script):
     stage.log.info("at work")
     time.sleep(60)
@@ -44,13 +47,14 @@ def script(tmp_path):
 @pytest.fixture
 def job(tmp_path, script):
     params = SimpleNamespace(code=digest(script))
-    return SimpleNamespace(rule="work", output=["made.nc"], log=[tmp_path / "job.log"], params=params)
+    log = [tmp_path / "job.log"]
+    return SimpleNamespace(rule="work", output=["made.nc"], log=log, params=params, input={}, config={})
 
 
 @pytest.fixture
 def in_this_process(monkeypatch):
     """The test process must not be bound to the life of its parent."""
-    monkeypatch.setattr(stage, "_die_with_parent", lambda: None)
+    monkeypatch.setattr(stage, "end_with_workflow", lambda: None)
 
 
 def test_output_goes_to_the_log_of_the_job(job, script, in_this_process, capsys):
@@ -100,6 +104,30 @@ def test_log_is_written_line_by_line(job, script, in_this_process):
         assert job.log[0].read_text() == "work: made.nc\nfirst\n"
 
 
+def test_log_on_a_full_disk_speaks_on_the_screen(job, script, in_this_process, monkeypatch):
+    job.log[0] = "/dev/full"
+    screen = io.StringIO()
+    monkeypatch.setattr(sys, "__stderr__", screen)
+    with pytest.raises(SystemExit), stage.logged(job, str(script)):
+        half_backlash(1e-6, np.zeros(3), np.zeros((2, 3)), np.ones((2, 3)), 0.35, "exact")
+    assert screen.getvalue().startswith("work: made.nc\nfailed: the teeth jam")
+
+
+def test_log_that_cannot_be_opened_is_named(job, script, in_this_process, tmp_path):
+    job.log[0] = tmp_path / "nowhere" / "job.log"
+    with pytest.raises(SystemExit, match="job.log: the log cannot be written \\(No such file"), stage.logged(job, "x"):
+        pass
+
+
+def test_input_files_are_checked_before_the_work(job, script, in_this_process, tmp_path):
+    job.input = {"geometry": str(tmp_path / "geometry.nc")}
+    ran = []
+    with pytest.raises(SystemExit), stage.logged(job, str(script)):
+        ran.append(True)
+    assert ran == []
+    assert "geometry.nc: no such file; run the workflow again" in job.log[0].read_text()
+
+
 def alive(pid: int) -> bool:
     try:
         os.kill(pid, 0)
@@ -108,7 +136,7 @@ def alive(pid: int) -> bool:
     return open(f"/proc/{pid}/stat").read().rpartition(")")[2].split()[0] != "Z"
 
 
-def wait_until(condition, seconds=20.0) -> bool:
+def wait_until(condition, seconds=60.0) -> bool:
     end = time.monotonic() + seconds
     while not condition() and time.monotonic() < end:
         time.sleep(0.02)
@@ -129,3 +157,25 @@ def test_job_ends_with_a_killed_workflow(tmp_path, script):
         finally:
             if alive(pid):
                 os.kill(pid, signal.SIGKILL)
+
+
+@pytest.mark.parametrize("gone", [True, False])
+def test_job_that_starts_after_the_death_of_the_workflow_does_no_work(tmp_path, script, gone):
+    runner, log = tmp_path / "runner.py", tmp_path / "job.log"
+    runner.write_text(ORPHAN.format(scripts=str(SCRIPTS)).replace("sleep(60)", "sleep(0)"))
+    with subprocess.Popen([sys.executable, "-c", "pass"]) as past:
+        past.wait()
+    workflow = past.pid if gone else os.getpid()
+    environment = os.environ | {orphans.WORKFLOW: str(workflow)}
+    run = subprocess.run([sys.executable, runner, script, log], env=environment, capture_output=True, text=True)
+    assert (run.returncode, log.exists()) == ((1, False) if gone else (0, True))
+    assert ("the workflow that started this job is gone" in run.stderr) == gone
+
+
+def test_a_shell_may_stand_between_workflow_and_job(tmp_path, script):
+    runner, log = tmp_path / "runner.py", tmp_path / "job.log"
+    runner.write_text(ORPHAN.format(scripts=str(SCRIPTS)).replace("sleep(60)", "sleep(0)"))
+    environment = os.environ | {orphans.WORKFLOW: str(os.getpid())}
+    command = f"{shlex.join([sys.executable, str(runner), str(script), str(log)])}; true"
+    run = subprocess.run(command, shell=True, env=environment, capture_output=True, text=True)
+    assert "at work" in log.read_text() and run.stderr == ""

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import ctypes
 import linecache
 import logging
-import os
-import signal
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from typing import TextIO
 
+from gearwear.plumbing import belonging
 from gearwear.plumbing.closure import digest
 from gearwear.plumbing.orders import check_run
+from gearwear.plumbing.orphans import end_with_workflow
 
 log = logging.getLogger("gearwear")
-
-_PR_SET_PDEATHSIG = 1
 
 
 @contextmanager
@@ -26,19 +24,19 @@ def logged(job, script: str) -> Iterator[None]:
     An error that the project words itself is one sentence in the log; any other keeps its traceback.
 
     The job stops with its parent, so that no orphan goes on writing after Snakemake was killed, and
-    refuses to start if its source changed after Snakemake read it, so that no result is mislabelled,
-    or if another run has followed the one that ordered it.
+    refuses to start if its source changed after Snakemake read it, so that no result is mislabelled, if another
+    run has followed the one that ordered it, or if its input files do not belong together.
 
     Parameters
     ----------
     job : the `snakemake` object of the script.
     script : path of the script.
     """
-    _die_with_parent()
-    with open(job.log[0], "w", buffering=1) as stream:
+    end_with_workflow()
+    with _opened(job.log[0]) as stream:
         keep = sys.stdout, sys.stderr
         sys.stdout = sys.stderr = stream
-        handler = logging.StreamHandler(stream)
+        handler = _Handler(stream)
         handler.setFormatter(logging.Formatter("%(message)s"))
         log.addHandler(handler)
         log.setLevel(logging.INFO)
@@ -47,6 +45,7 @@ def logged(job, script: str) -> Iterator[None]:
             if job.params.code != digest(script):
                 raise ValueError("the source code changed while the workflow was running: start it again")
             check_run()
+            belonging.check(job)
             yield
         except ValueError as error:
             if not worded(error):
@@ -77,9 +76,21 @@ def announce(sentence: str) -> None:
     print(sentence, file=sys.__stdout__, flush=True)
 
 
-def _die_with_parent() -> None:
-    parent = os.getppid()
-    with suppress(OSError, AttributeError):  # Linux only
-        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)
-    if os.getppid() != parent:  # it was gone before the call
-        raise SystemExit("the workflow that started this job is gone")
+class _Handler(logging.StreamHandler):
+    """A log that cannot be written, as on a full disk, speaks on the screen."""
+
+    def handleError(self, record):  # noqa: N802 (the name is that of logging)
+        print(self.format(record), file=sys.__stderr__, flush=True)
+
+
+@contextmanager
+def _opened(path: str) -> Iterator[TextIO]:
+    try:
+        stream = open(path, "w", buffering=1)  # noqa: SIM115 (closed below, where a full disk is no error)
+    except OSError as error:
+        raise SystemExit(f"{path}: the log cannot be written ({error.strerror})") from None
+    try:
+        yield stream
+    finally:
+        with suppress(OSError):  # what could not be written is on the screen
+            stream.close()

@@ -9,21 +9,24 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
 import re
-import socket
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import netCDF4
 import numpy as np
 import xarray as xr
 
 from gearwear.plumbing.fields import field_of
+from gearwear.plumbing.writing import atomic
 
 CONVENTIONS = "CF-1.11"
 SOURCE = "gearwear"
+_MARKS = {"stage", "lineage", "config", "inputs"}
+_REMEDY = "delete it and run the workflow again"
 
 # Name of a result file, or else of its folder, and the rules that make it.
 _MADE_BY = {
@@ -77,6 +80,28 @@ _SINGLE = (
 )
 
 
+@dataclass(frozen=True)
+class Head:
+    """What a result file says of itself: its rule, lineage, settings, the lineages of its inputs, its dimensions."""
+
+    path: str
+    stage: str
+    lineage: str
+    config: dict[str, Any]
+    inputs: dict[str, str]
+    sizes: dict[str, int]
+
+
+def head(path: str | Path) -> Head:
+    """Read what a result file says of itself; errors are those of `load`."""
+    with _readable(path), netCDF4.Dataset(path) as file:
+        attrs = {name: file.getncattr(name) for name in file.ncattrs()}
+        sizes = {name: len(dimension) for name, dimension in file.dimensions.items()}
+    _own(path, attrs)
+    config, inputs = json.loads(attrs["config"]), json.loads(attrs["inputs"])
+    return Head(str(path), attrs["stage"], attrs["lineage"], config, inputs, sizes)
+
+
 def load(path: str | Path) -> xr.Dataset:
     """Read a result of an earlier stage into memory.
 
@@ -85,29 +110,37 @@ def load(path: str | Path) -> xr.Dataset:
     ValueError : the file is missing, truncated, not written by this program, or holds a value that
         is not finite; the message names the file and says what to do.
     """
-    remedy = "delete it and run the workflow again"
-    try:
-        with xr.open_dataset(path, engine="netcdf4", decode_times=False) as lazy:
-            dataset = lazy.load()
-    except FileNotFoundError:
-        raise ValueError(f"{path}: no such file; run the workflow again to make it") from None
-    except Exception as error:
-        raise ValueError(f"{path}: not a readable netCDF file ({error}); {remedy}") from None
-    if dataset.attrs.get("source") != SOURCE or "lineage" not in dataset.attrs:
-        raise ValueError(f"{path}: not a result of this workflow (no lineage); {remedy}")
-    expected = _makers(Path(path))
-    if expected and dataset.attrs["stage"] not in expected:
-        raise ValueError(f"{path}: a result of {dataset.attrs['stage']}, not of {' or '.join(expected)}; {remedy}")
+    with _readable(path), xr.open_dataset(path, engine="netcdf4", decode_times=False) as lazy:
+        dataset = lazy.load()
+    _own(path, dataset.attrs)
     for name, values in dataset.variables.items():
         try:
             optional = field_of(str(name), values.dims).may_be_missing
         except ValueError as error:
-            raise ValueError(f"{path}: {error}; {remedy}") from None
+            raise ValueError(f"{path}: {error}; {_REMEDY}") from None
         if values.dtype.kind != "f" or optional:
             continue
         if not np.isfinite(values).all():
-            raise ValueError(f"{path}: {name} holds values that are not finite; {remedy}")
+            raise ValueError(f"{path}: {name} holds values that are not finite; {_REMEDY}")
     return dataset
+
+
+@contextmanager
+def _readable(path: str | Path) -> Iterator[None]:
+    try:
+        yield
+    except FileNotFoundError:
+        raise ValueError(f"{path}: no such file; run the workflow again to make it") from None
+    except Exception as error:
+        raise ValueError(f"{path}: not a readable netCDF file ({error}); {_REMEDY}") from None
+
+
+def _own(path: str | Path, attrs: Mapping[str, Any]) -> None:
+    if attrs.get("source") != SOURCE or not attrs.keys() >= _MARKS:
+        raise ValueError(f"{path}: not a result of this workflow (no lineage); {_REMEDY}")
+    expected = _makers(Path(path))
+    if expected and attrs["stage"] not in expected:
+        raise ValueError(f"{path}: a result of {attrs['stage']}, not of {' or '.join(expected)}; {_REMEDY}")
 
 
 def _makers(path: Path) -> tuple[str, ...]:
@@ -197,21 +230,6 @@ def lineages(job) -> dict[str, str]:
         if behind:
             found[name] = " ".join(behind)
     return found
-
-
-@contextmanager
-def atomic(path: str | Path) -> Iterator[str]:
-    """Give a temporary name beside `path` that becomes `path` only if the body succeeds."""
-    # The host, as an orphan on another one may have the same number.
-    temporary = f"{path}.{socket.gethostname()}.{os.getpid()}.tmp"
-    try:
-        yield temporary
-        with open(temporary, "rb") as file:
-            os.fsync(file.fileno())
-        Path(temporary).replace(path)
-    finally:
-        with suppress(FileNotFoundError):
-            Path(temporary).unlink()
 
 
 def _describe(dataset: xr.Dataset, name: str) -> None:

@@ -1,0 +1,171 @@
+"""A spoiled file in place of an intermediate result is named, with what to do, and nothing is computed from it."""
+
+import json
+import shutil
+from types import SimpleNamespace
+
+import netCDF4
+import numpy as np
+import pytest
+import xarray as xr
+
+from gearwear.plumbing import belonging, store
+from gearwear.plumbing.fields import field_of
+
+REMEDY = "run the workflow again"
+
+
+def truncated(path):
+    path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
+
+
+def empty(path):
+    path.write_bytes(b"")
+
+
+def text(path):
+    path.write_text("time,value\n0,1\n")
+
+
+def folder(path):
+    path.unlink()
+    path.mkdir()
+
+
+def missing(path):
+    path.unlink()
+
+
+def foreign(path):
+    path.unlink()
+    xr.Dataset({"temperature": ("time", [280.0, 281.0])}).to_netcdf(path)
+
+
+def of_another_stage(path):
+    with netCDF4.Dataset(path, "a") as file:
+        file.stage = "heat_contact" if file.stage != "heat_contact" else "build_geometry"
+
+
+def not_finite(path):
+    with netCDF4.Dataset(path, "a") as file:
+        for name, variable in file.variables.items():
+            kind = variable.dtype if variable.dtype is str else variable.dtype.kind
+            if kind == "f" and not field_of(name, variable.dimensions).may_be_missing:
+                variable[...] = np.nan
+                return
+
+
+def of_other_settings(path):
+    """A file of another configuration has the same variables: its settings tell."""
+    with netCDF4.Dataset(path, "a") as file:
+        settings = json.loads(file.config)
+        group = settings
+        while isinstance(next(iter(group.values())), dict):
+            group = next(iter(group.values()))
+        group[next(iter(group))] = 12345
+        file.config = json.dumps(settings)
+
+
+def of_other_files(path):
+    """A file made of another geometry, other wear and so on, with the same settings of its own."""
+    with netCDF4.Dataset(path, "a") as file:
+        file.inputs = json.dumps(dict.fromkeys(json.loads(file.inputs), "0" * 16))
+        file.lineage = "0" * 16
+
+
+def on_another_grid(path):
+    with xr.open_dataset(path, decode_times=False) as lazy:
+        whole = lazy.load()
+    path.unlink()
+    whole.isel(path=slice(None, -1)).to_netcdf(path)
+
+
+UNREADABLE = (truncated, empty, text, folder)
+DEFECTS = (
+    *UNREADABLE,
+    missing,
+    foreign,
+    of_another_stage,
+    not_finite,
+    of_other_settings,
+    of_other_files,
+    on_another_grid,
+)
+# Seen where the geometry is read beside the file, for the files of a state of the flanks.
+COMPARED = (of_other_files, on_another_grid)
+POINTS = {"sweep_part", "join_sweep", "carry_sweep", "continue_orbits", "trace_portraits", "map_basins"}
+UNSEEN = {
+    of_other_settings: {"start_wear"},
+    of_other_files: POINTS,
+    on_another_grid: POINTS,
+}  # new flanks have no settings
+
+
+def kinds(jobs, spoil, whole):
+    """Return a job and one of the files that it reads, for every kind of file, or for every kind and reader of it."""
+    found = {}
+    for rule, one in jobs.items():
+        if spoil in COMPARED and not ("geometry" in dict(one.files) and len(one.files) > 1):
+            continue
+        for _, path in one.files:
+            with netCDF4.Dataset(one.file.parents[2] / path) as file:
+                if file.stage not in UNSEEN.get(spoil, ()):
+                    found.setdefault((file.stage, rule) if whole else file.stage, (one, path, file.stage))
+    return list(found.values())
+
+
+@pytest.mark.parametrize("spoil", DEFECTS, ids=lambda spoil: spoil.__name__)
+def test_spoiled_file_is_named(jobs, copied, long, tell, monkeypatch, spoil):
+    monkeypatch.chdir(copied)
+    missed = []
+    tried = kinds(jobs, spoil, long)
+    assert len(tried) > 8
+    for one, path, stage in tried if long else tried[DEFECTS.index(spoil) % 3 :: 3]:
+        spoiled, outputs = copied / path, [copied / output for output in one.job.output]
+        kept = copied / "kept.nc"
+        shutil.copy2(spoiled, kept)
+        before = [output.read_bytes() for output in outputs]
+        try:
+            spoil(spoiled)
+            told = tell(one)
+        finally:
+            shutil.rmtree(spoiled) if spoiled.is_dir() else spoiled.unlink(missing_ok=True)
+            kept.rename(spoiled)
+        clear = "failed: " in told and path in told and REMEDY in told and "Traceback" not in told
+        if not clear or [output.read_bytes() for output in outputs] != before:
+            missed.append(f"{one.job.rule} reads {path} of {stage}: {told}")
+    assert not missed, "\n".join(missed)
+
+
+OTHERS = {
+    "with/maps/tiles/ste/1-of-16.nc": "map_tile",
+    "with/maps/ste.nc": "join_map",
+    "with/onsets.nc": "locate_onsets",
+    "with/onset_variants.nc": "vary_onsets",
+    "onset_shifts.nc": "compare_onsets",
+    "sensitivity.nc": "compare_members",
+    "studies/sensitivity/study/measures.nc": "measure_member",
+    "studies/chains/q000.nc": "run_chain",
+    "studies/life/t020/with/outcome.nc": "measure_outcome",
+    "studies/life/study.nc": "gather_study",
+    "calibration/searches/0.nc": "search_parameters",
+}
+
+
+@pytest.mark.parametrize("place", OTHERS)
+@pytest.mark.parametrize(
+    "spoil", [*UNREADABLE, missing, foreign, of_another_stage, not_finite], ids=lambda spoil: spoil.__name__
+)
+def test_spoiled_file_of_a_target_beside_all_is_named(tmp_path, monkeypatch, place, spoil):
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "results" / place
+    path.parent.mkdir(parents=True)
+    params = SimpleNamespace(cfg={}, code="0" * 16)
+    made = xr.Dataset({"running_cycles": 0.0})
+    store.save(made, SimpleNamespace(rule=OTHERS[place], input={}, output=[str(path)], params=params))
+    reader = SimpleNamespace(input={"it": f"results/{place}"}, config={})
+    belonging.check(reader)
+    spoil(path)
+    with pytest.raises(ValueError, match=f"results/{place}: .*{REMEDY}"):
+        belonging.check(reader)
+        store.load(f"results/{place}")

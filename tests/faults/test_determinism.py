@@ -1,0 +1,147 @@
+"""The same configuration gives the same bytes; only another kind of processor may change the last digits."""
+
+import os
+import shutil
+import subprocess
+import sys
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from gearwear.plumbing.closure import SCRIPTS
+
+# Runs the scripts of jobs one after another in one process, as Snakemake does in one for each.
+RUNNER = """
+import importlib, sys
+from pathlib import Path
+sys.path.insert(0, sys.argv[1])
+for file in map(Path, sys.argv[2:]):
+    given = {"__file__": str(file)}
+    exec(file.read_text().splitlines()[1], given)
+    importlib.import_module(file.name.split(".")[1]).main(given["snakemake"])
+"""
+# A processor without AVX and FMA, as numba, numpy, OpenBLAS and the mathematical library of the system see it.
+PLAIN_PROCESSOR = {
+    "NUMBA_CPU_NAME": "generic",
+    "NUMBA_CPU_FEATURES": "",
+    "NPY_DISABLE_CPU_FEATURES": "X86_V3 X86_V4",
+    "OPENBLAS_CORETYPE": "Prescott",
+    "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX,-AVX2,-FMA,-FMA4,-AVX512F,-AVX512VL",
+}
+STATIC = (
+    "results/geometry.nc",
+    *(
+        f"results/{case}/{name}.nc"
+        for case in ("without", "with")
+        for name in (
+            "temperature",
+            "deformation",
+            "wear/q000",
+            "mesh_stiffness/q000",
+            "transmission_error/q000",
+            "backlash/q000",
+        )
+    ),
+)
+SWEEPS = tuple(f"results/without/sweeps/{order}/mesh_frequency.nc" for order in ("up", "down"))
+
+
+def run(names, every_job, folder, **variables):
+    """Run jobs of the smoke run anew on the results in a folder."""
+    for name in names:
+        (folder / name).unlink()
+    files = [str(every_job[name].file) for name in names]
+    command = [sys.executable, "-c", RUNNER, str(SCRIPTS), *files]
+    done = subprocess.run(command, cwd=folder, env=os.environ | variables, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+def test_another_folder_and_one_job_at_a_time_give_the_same_bytes(smoke_run, tmp_path):
+    targets = [
+        "results/with/response/q001.nc",
+        "results/without/sweeps/restart/mesh_frequency.nc",
+        "results/without/sweeps/down/mesh_frequency.nc",
+        "results/figures/fig07.svg",
+    ]
+    configs = [str(smoke_run.folder / "config" / name) for name in ("config.yaml", "smoke.yaml")]
+    arguments = ("-j1", "--directory", str(tmp_path), "--set-scatter", "sweep=3", "--configfile", *configs)
+    again = smoke_run.snakemake(*arguments, "--", *targets)
+    assert again.returncode == 0, again.stdout
+    for target in targets:
+        assert (tmp_path / target).read_bytes() == (smoke_run.folder / target).read_bytes(), target
+
+
+@pytest.mark.parametrize("count", [1, 2, 7])
+def test_any_number_of_parts_gives_the_same_sweep(every_job, copied, smoke_run, tell, tmp_path, monkeypatch, count):
+    monkeypatch.chdir(copied)
+    whole = every_job["results/without/sweeps/restart/mesh_frequency.nc"]
+    part = every_job["results/without/sweeps/parts/mesh_frequency/1-of-4.nc"]
+    log, parts = [str(tmp_path / "log")], []
+    for number in range(1, count + 1):
+        parts.append(str(tmp_path / f"{number}-of-{count}.nc"))
+        wildcards = SimpleNamespace(sweep="mesh_frequency", scatteritem=f"{number}-of-{count}")
+        assert tell(changed(part, wildcards=wildcards, output=[parts[-1]], log=log)) == ""
+    joined = tmp_path / "mesh_frequency.nc"
+    inputs = Inputs(parts=parts)
+    assert tell(changed(whole, input=inputs, output=[str(joined)], log=log)) == ""
+    assert joined.read_bytes() == (smoke_run.folder / whole.job.output[0]).read_bytes()
+
+
+class Inputs(dict):
+    """Named input files, by attribute and as items, as a job has them."""
+
+    __getattr__ = dict.__getitem__
+
+
+def changed(one, **changes):
+    names = ("rule", "input", "output", "params", "wildcards", "log", "config")
+    job = SimpleNamespace(**({name: getattr(one.job, name) for name in names} | changes))
+    return SimpleNamespace(job=job, script=one.script)
+
+
+def test_the_number_of_threads_changes_nothing(every_job, copied, smoke_run):
+    names = ("results/with/mesh_stiffness/q001.nc", "results/with/response/q001.nc", SWEEPS[0])
+    for count in ("1", "2"):
+        run(names, every_job, copied, OMP_NUM_THREADS=count, OPENBLAS_NUM_THREADS=count, NUMBA_NUM_THREADS=count)
+        for name in names:
+            assert (copied / name).read_bytes() == (smoke_run.folder / name).read_bytes(), (name, count)
+
+
+@pytest.fixture
+def cold_cache(long, tmp_path):
+    """An empty folder for machine code."""
+    if not long:
+        pytest.skip("compiling all kernels takes long; asked for by --long")
+    return str(tmp_path / "cache")
+
+
+def test_a_cold_cache_changes_nothing(every_job, copied, smoke_run, cold_cache):
+    names = ("results/with/response/q001.nc", *SWEEPS, "results/without/branches/mesh_frequency.nc")
+    for _ in ("cold", "warm"):
+        run(names, every_job, copied, GEARWEAR_CACHE=cold_cache)
+        for name in names:
+            assert (copied / name).read_bytes() == (smoke_run.folder / name).read_bytes(), name
+
+
+def difference(here, there, name) -> tuple[float, str]:
+    """Return the largest difference of a variable between two files, over its largest value, and its name."""
+    one, other = (xr.load_dataset(folder / name, decode_times=False) for folder in (here, there))
+    apart = [(0.0, "")]
+    for variable in one.variables:
+        a, b = one[variable].values, other[variable].values
+        if a.dtype.kind == "f":
+            largest = np.nanmax(abs(a), initial=0.0)
+            apart.append((np.nanmax(abs(a - b), initial=0.0) / (largest or 1.0), f"{name}: {variable}"))
+        else:
+            assert np.array_equal(a, b), (name, variable)
+    return max(apart)
+
+
+def test_another_kind_of_processor_changes_the_last_digits(every_job, smoke_run, tmp_path):
+    shutil.copytree(smoke_run.folder / "results", tmp_path / "results")
+    run(STATIC, every_job, tmp_path, **PLAIN_PROCESSOR)
+    apart = max(difference(smoke_run.folder, tmp_path, name) for name in STATIC)
+    print(apart)
+    assert apart[0] < 4e-15  # measured: 4.2e-16
