@@ -80,8 +80,8 @@ def tell(monkeypatch):
             try:
                 with stage.logged(one.job, str(SCRIPTS / f"{one.script}.py")):
                     importlib.import_module(one.script).main(one.job)
-            except SystemExit:
-                return Path(one.job.log[0]).read_text() + screen.getvalue()
+            except SystemExit as end:
+                return Path(one.job.log[0]).read_text() + screen.getvalue() + str(end)
         return ""
 
     return run

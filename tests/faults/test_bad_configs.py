@@ -73,7 +73,7 @@ def test_every_fault_is_told_with_its_key():
 
 
 def test_every_missing_key_is_told():
-    for path in sorted(REQUIRED):
+    for path in sorted(path for path in REQUIRED if "<case>" not in path and "<name>" not in path):
         spoiled = copy.deepcopy(base())
         section = spoiled
         for key in path[:-1]:
@@ -97,8 +97,8 @@ def test_faults_on_the_command_line(make_project):
     project = make_project("bad")
     wrong, told = {}, []
     for path, value in faults()[:40]:
-        if isinstance(value, bytes) or (isinstance(value, int) and value > 1):
-            continue
+        if isinstance(value, bytes | dict) or (isinstance(value, int) and value > 1):
+            continue  # no YAML, or merged with the value below and no fault then
         section = wrong
         for key in path[:-1]:
             section = section.setdefault(key, {})
