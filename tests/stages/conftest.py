@@ -14,6 +14,8 @@ from gearwear.plumbing.slices import slice_of
 
 ROOT = Path(__file__).resolve().parents[2]
 
+MESH = ("geometry", "mesh_stiffness", "transmission_error", "backlash", "reference_stiffness", "reference_error")
+
 # stage: script and named inputs
 STAGES = {
     "geometry": ("build_geometry", ()),
@@ -23,17 +25,8 @@ STAGES = {
     "mesh_stiffness": ("build_stiffness", ("geometry", "deformation", "wear")),
     "transmission_error": ("share_load", ("geometry", "deformation", "wear", "mesh_stiffness")),
     "backlash": ("open_backlash", ("geometry", "deformation", "wear", "transmission_error")),
-    "response": (
-        "solve_response",
-        (
-            "geometry",
-            "mesh_stiffness",
-            "transmission_error",
-            "backlash",
-            "reference_stiffness",
-            "reference_error",
-        ),
-    ),
+    "response": ("solve_response", MESH),
+    "excitation": ("build_excitation", MESH),
     "advance_wear": ("advance_wear", ("geometry", "wear", "mesh_stiffness", "transmission_error", "response")),
 }
 

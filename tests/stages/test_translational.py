@@ -12,14 +12,16 @@ from gearwear.plumbing.slices import slice_of
 STIFF, SOFT = 1e12, 3e8
 SHORT = {
     "settling.transient_periods": 100,
-    "settling.longest_transient": 100,
+    "settling.longest_transient": 3200,  # bearings damp little
     "settling.sampled_periods": 32,
     "settling.largest_period": 4,
     "sweeps.mesh_frequency.first": 0.5,
     "sweeps.mesh_frequency.last": 0.9,
     "sweeps.mesh_frequency.points": 3,
+    "portraits.mesh_frequency.without": [0.6],
+    "portraits.mesh_frequency.with": [0.6],
+    "basins.points.mesh_frequency": {},
 }
-SWEPT = ("geometry", "mesh_stiffness", "transmission_error", "backlash", "reference_stiffness", "reference_error")
 
 
 @pytest.fixture(scope="module")
@@ -45,14 +47,15 @@ def of_model(study):
 
 
 @pytest.fixture(scope="module")
-def swept(files, tmp_path_factory):
+def swept(files, run_stage, tmp_path_factory):
     """Return a function that makes the sweep over the mesh frequency, from rest or carried on."""
 
     def run(config, script, **wildcards):
         output = tmp_path_factory.mktemp("sweep") / "mesh_frequency.nc"
+        excitation = run_stage("excitation", config, "without", files)
         job = SimpleNamespace(
             rule=script,
-            input=SimpleNamespace(**{name: str(files[name]) for name in SWEPT}, items=lambda: []),
+            input=SimpleNamespace(excitation=str(excitation), items=lambda: []),
             output=[str(output)],
             params=SimpleNamespace(cfg=slice_of(config, "sweep", "without", "mesh_frequency"), code="0" * 16),
             wildcards=SimpleNamespace(sweep="mesh_frequency", case="without", **wildcards),
@@ -101,9 +104,10 @@ def test_sweeps_of_both_kinds_hold_the_evidence_of_the_torsional_ones(of_model, 
     assert (soft["motion_class"] > 0).all() and (soft["stable_orbit_period"] > 0).all()
     carried = swept(of_model(SOFT, across=0.3), "carry_sweep", order="down")
     np.testing.assert_array_equal(carried["motion_class"], soft["motion_class"])
-    np.testing.assert_allclose(carried["section_displacement"][:, -1], soft["section_displacement"][:, -1], atol=1e-5)
+    # a section that recurs to 1e-7 a period is up to 1e-7/(1 - r) from its end where the slowest mode keeps r = 0.997
+    np.testing.assert_allclose(carried["section_displacement"][:, -1], soft["section_displacement"][:, -1], atol=3e-5)
 
 
 def test_branches_are_refused_by_their_name(of_model):
-    with pytest.raises(ValueError, match="dynamics.model: translational has no branches of periodic orbits"):
+    with pytest.raises(ValueError, match="dynamics.model: translational has neither branches of periodic orbits"):
         slice_of(of_model(SOFT), "branches", "with", "mesh_frequency")
