@@ -104,8 +104,10 @@ def test_sweeps_of_both_kinds_hold_the_evidence_of_the_torsional_ones(of_model, 
     assert (soft["motion_class"] > 0).all() and (soft["stable_orbit_period"] > 0).all()
     carried = swept(of_model(SOFT, across=0.3), "carry_sweep", order="down")
     np.testing.assert_array_equal(carried["motion_class"], soft["motion_class"])
-    # a section that recurs to 1e-7 a period is up to 1e-7/(1 - r) from its end where the slowest mode keeps r = 0.997
-    np.testing.assert_allclose(carried["section_displacement"][:, -1], soft["section_displacement"][:, -1], atol=3e-5)
+    # both approach one orbit, and say how far from it they ended
+    away = carried["stable_orbit_distance"].values + soft["stable_orbit_distance"].values
+    apart = carried["section_displacement"].values[:, -1] - soft["section_displacement"].values[:, -1]
+    assert (np.abs(apart) <= away).all() and away.max() < 1e-3
 
 
 def test_branches_are_refused_by_their_name(of_model):
