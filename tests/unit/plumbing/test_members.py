@@ -144,10 +144,10 @@ def test_settings_of_a_study_that_cannot_be_are_told_once(gridded):
 @pytest.mark.parametrize(
     ("entries", "told"),
     [
-        ({}, "studies.life.grid: a study has either members or a grid; give one of them"),
+        ({}, "studies.life: a study has either members or a grid; give one of them"),
         (
             {"grid": {HEAT: [20]}, "members": {"one": {}}},
-            "studies.life.grid: a study has either members or a grid; give one of them",
+            "studies.life: a study has either members or a grid; give one of them",
         ),
         (
             {"grid": {"cases.with.bulk_temprature": [20]}},

@@ -225,7 +225,7 @@ def _studies(values: dict[str, Any]) -> Iterator[Problem]:
 def _grid(values: dict[str, Any], study: dict[str, Any]) -> Iterator[Problem]:
     grid, case, cases = study.get("grid") or {}, study.get("case", "with"), _at(values, "cases")
     if bool(grid) == bool(study.get("members")):
-        yield ("grid",), "a study has either members or a grid; give one of them"
+        yield (), "a study has either members or a grid; give one of them"
     if grid and isinstance(cases, dict) and case not in cases:
         yield ("case",), _no_such_case(case, cases)
     known = _dotted_keys({name: section for name, section in values.items() if name != "studies"})
