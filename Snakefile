@@ -58,7 +58,7 @@ rule all:
 
 rule maps:
     """Maps of class and exponent over the mesh frequency and transmission error, backlash, bulk temperature or wear.
-    Cost: with all there, 12 minutes of one core.
+    Cost: with all there, 11 minutes of one core.
     """
     input:
         mapped(),
@@ -66,7 +66,7 @@ rule maps:
 
 rule onsets:
     """How much earlier period doublings and chaos come in case with than in case without, with error and spread.
-    Cost: with all there, 16 jobs, 8 minutes of one core."""
+    Cost: with all there, 22 jobs, 12 minutes of one core."""
     input:
         "results/onsets.csv",
         "results/figures/onsets.svg",
