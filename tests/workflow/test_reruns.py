@@ -157,7 +157,7 @@ def edited_plan(project, module: str, old: str, new: str) -> set[str]:
 
 def test_edited_physics_reruns_its_stages(smoke_run):
     planned = edited_plan(
-        smoke_run, "mesh/backlash.py", "initial + factor * change / 2", "initial + factor * change / 3"
+        smoke_run, "mesh/backlash.py", "opening + factor * change / 2", "opening + factor * change / 3"
     )
     rules = {rule_of(path) for path in planned}
     assert "open_backlash" in rules and "solve_response" in rules
