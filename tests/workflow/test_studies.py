@@ -48,7 +48,7 @@ def test_two_ages_share_one_chain_and_an_impossible_combination_stops_nobody(stu
     ]
     found = xr.open_dataset(studied.folder / FILES[0]).sel({HEAT: 100, AGE: 1e8})
     assert found["deepest_wear"].min() > 0 and found["motion_class"].shape == (3, 7)
-    assert found["motion_class"].equals(worn["motion_class"])
+    assert (found["motion_class"].values == worn["motion_class"].values).all()
 
 
 def planned(project, overlay):
@@ -60,8 +60,10 @@ def planned(project, overlay):
 
 def test_only_what_a_change_reaches_runs_again(studied):
     assert planned(studied, SMALL) == set()
-    longer = SMALL | {"studies": {"heat": {"grid": {HEAT: [10, 100], AGE: [0, 1e8, 2e8]}}}}
-    assert planned(studied, longer) >= {"chains/chain.nc", "heat/bulk_temperature_100__running_cycles_2e08/outcome.nc"}
+    longer = planned(studied, SMALL | {"studies": {"heat": {"grid": {HEAT: [10, 100], AGE: [0, 1e8, 2e8]}}}})
+    assert "heat/bulk_temperature_100__running_cycles_2e08/outcome.nc" in longer
+    assert "heat/bulk_temperature_100__running_cycles_1e08/outcome.nc" not in longer
+    assert "chains/chain.nc" not in longer  # the study `life` has asked for as much of it
     finer = SMALL | {"sweeps": {"mesh_frequency": {"points": 9}}}
     assert not [name for name in planned(studied, finer) if name.startswith("chains")]
 

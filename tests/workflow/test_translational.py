@@ -25,4 +25,4 @@ def test_what_needs_branches_is_refused_with_one_message(asked):
     refused = asked("onsets")
     assert refused.returncode != 0
     assert "dynamics.model: translational has neither branches of periodic orbits" in refused.stdout
-    assert "Traceback" not in refused.stdout
+    assert "Traceback (most recent call last)" not in refused.stdout
