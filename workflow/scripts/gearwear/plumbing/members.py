@@ -32,9 +32,6 @@ def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
     ConfigError : with one line for every problem of any member, naming the member and the key.
     """
     found, problems = {"": config}, []
-    for study, declared in config["studies"].items():
-        if reason := hindrance(config, declared["settings"]):
-            problems.append((f"studies/{study}/", (("settings",), reason)))
     for study, table in _studies(config).items():
         for member, overrides in table.items():
             root = f"studies/{study}/{member}/"
