@@ -10,7 +10,7 @@ def asked(make_project):
     project = make_project("translational")
     (project.folder / "bearings.yaml").write_text(yaml.safe_dump({"dynamics": {"model": "translational"}}))
     files = ("config/config.yaml", "config/smoke.yaml", "bearings.yaml")
-    return lambda target: project.snakemake("-n", "--quiet", "rules", target, "--configfile", *files)
+    return lambda target: project.snakemake("-n", target, "--configfile", *files)
 
 
 def test_the_study_is_made_without_branches(asked):
