@@ -70,7 +70,7 @@ def _conversion(written: str, unit: str) -> tuple[Fraction, Fraction]:
     wanted = registry.parse_units(_spelled(unit))
     try:
         given = registry.parse_units(_spelled(written))
-    except Exception:
+    except Exception:  # what cannot be read as a unit fails in the library, its tokenizer or the language itself
         raise UnitError("has an unknown unit") from None
     if _is_scale(registry, given) and not _is_scale(registry, wanted):
         raise UnitError("is a temperature, and this is a difference of temperatures") from None
