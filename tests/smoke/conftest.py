@@ -76,8 +76,9 @@ class Browser:
             "Page.navigate", url="about:blank"
         )  # an address that differs in its last part only is not loaded anew
         self.call("Page.navigate", url=address)
-        while self.run("document.readyState + location.protocol") != "completefile:":
+        while self.run("document.readyState + location.protocol + innerWidth") != f"completefile:{width}":
             time.sleep(0.05)
+        self.run("new Promise((painted) => requestAnimationFrame(() => requestAnimationFrame(painted)))")
 
     def click(self, x: float, y: float) -> None:
         """Press and let go of the mouse at a place of the window."""

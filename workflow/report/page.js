@@ -200,8 +200,13 @@ at("diagram").addEventListener("keydown", (event) => {
   event.preventDefault();
   walk(point + steps[event.key]);
 });
-let waiting = 0;
-window.addEventListener("resize", () => { clearTimeout(waiting); waiting = setTimeout(() => choose(chosen, point), 100); });
+// Once a frame at most, and before it is painted: what is on the screen always has the width of its place.
+let width = at("diagram").clientWidth;
+new ResizeObserver(() => {
+  if (at("diagram").clientWidth === width) return;
+  width = at("diagram").clientWidth;
+  choose(chosen, point);
+}).observe(at("diagram"));
 
 const [ofCase, ofSweep, ofPoint] = location.hash.slice(1).split("/");
 const linked = sweeps.findIndex((sweep) => sweep.case === ofCase && sweep.sweep === ofSweep);
