@@ -125,15 +125,17 @@ def _read_value(reader: TypeAdapter, unit: str | None, raw: Any, path: tuple, pr
 
 
 def _without_unit(reader: TypeAdapter, unit: str | None, raw: Any, path: tuple, problems: list[Problem]) -> Any:
-    def convert(value, entry, schema):
+    def convert(value, *entry):
         try:
             return units.plain(value, unit)
         except units.UnitError as refused:
-            problems.append(((*path, *entry), f"{shown(value)} {refused}; {with_units(schema, unit)}"))
+            schema = reader.json_schema()
+            meant = with_units(schema["items"] if entry else schema, unit)
+            problems.append(((*path, *entry), f"{shown(value)} {refused}; {meant}"))
 
     if isinstance(raw, list):
-        return [convert(value, (f"[{place}]",), reader.json_schema().get("items")) for place, value in enumerate(raw)]
-    return convert(raw, (), reader.json_schema())
+        return [convert(value, f"[{place}]") for place, value in enumerate(raw)]
+    return convert(raw)
 
 
 def _grouped(raw: Any, path: tuple, remedy: str, problems: list[Problem]) -> Mapping:
