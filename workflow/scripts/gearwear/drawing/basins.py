@@ -57,7 +57,9 @@ def draw(figure: Figure, basins: xr.Dataset, cfg: dict[str, Any]) -> None:
     words = f"Initial velocity over {unit}\ntimes natural frequency"
     figure.supylabel(words, x=(begin - 8.5) / DOUBLE, ha="right", multialignment="center")
     title = ", ".join(filter(None, [states.case(cfg["state"]), swept.condition(cfg["sweep"], cfg["swept"])]))
-    words = f"{title}\nPanels: {swept.LABELS[cfg['sweep']].lower()}; below: shares of the cells of the slice"
+    words = (
+        f"{title}\nPanels: {swept.label(cfg['sweep'], cfg['state']).lower()}; below: shares of the cells of the slice"
+    )
     figure.suptitle(words, y=1 - 1.0 / total, va="top", fontsize=7.5)
 
 

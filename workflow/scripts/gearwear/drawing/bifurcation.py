@@ -90,7 +90,7 @@ def draw(
         exponent.set_ylabel("Lyapunov\nexponent")
         for axes in (section, exponent):
             axes.yaxis.set_label_coords(_LABEL / (DOUBLE - _LEFT - _RIGHT), 0.5)
-    exponent.set_xlabel(swept.LABELS[cfg["sweep"]])
+    exponent.set_xlabel(swept.label(cfg["sweep"], cfg["states"][0]))
     keys: list[Artist] = [*motion_classes.keys(names)]
     if doubtful:
         keys.append(Line2D([], [], label="evidence disagrees", **_DOUBT))

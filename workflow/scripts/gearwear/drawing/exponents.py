@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -22,6 +23,7 @@ _COLOURS = LinearSegmentedColormap.from_list("exponents", _STOPS).with_extremes(
 _LEAST_SPAN = 1e-3
 _LOWEST_PERCENTILE = 2.0  # a few strongly contracting points would take all the colours
 _SIZES = (0.15, 1.2)  # square points
+_LONGEST_LINE = 40  # letters below a panel
 
 
 def norm(values: np.ndarray) -> TwoSlopeNorm:
@@ -45,7 +47,7 @@ def draw(figure: Figure, drawn: Sequence[tuple[xr.Dataset, dict[str, Any]]]) -> 
         fixed = swept.condition(cfg["sweep"], cfg["swept"])
         title = "\n".join(filter(None, [states.case(cfg["state"]), fixed]))
         axes.set_title(f"{letter(position)} {title}", loc="left")
-        axes.set_xlabel(swept.LABELS[cfg["sweep"]])
+        axes.set_xlabel(fill(swept.label(cfg["sweep"], cfg["state"]), _LONGEST_LINE))
         axes.set_ylabel(f"Section displacement over\n{swept.length_unit(cfg['sweep'], cfg['swept'])}")
     for axes in grid.flat[len(drawn) :]:
         axes.remove()

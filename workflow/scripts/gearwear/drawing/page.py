@@ -50,7 +50,7 @@ def record(panel: dict[str, Any], sweep: xr.Dataset, motions: xr.Dataset, teeth:
         "sweep": name,
         "title": states.case(panel["state"]),
         "condition": swept.condition(name, panel["swept"]),
-        "label": swept.LABELS[name],
+        "label": swept.label(name, panel["state"]),
         "unit": swept.length_unit(name, panel["swept"]),
         "steps": steps,
         "longest": round(float(motions["orbit_period"][-1])),

@@ -60,7 +60,9 @@ def draw(figure: Figure, portraits: xr.Dataset, cfg: dict[str, Any]) -> None:
         Line2D([], [], color=_SECTION, marker="o", markersize=3, linestyle="none", label="section at pair entry"),
     ]
     title = ", ".join(filter(None, [states.case(cfg["state"]), fixed]))
-    titles = f"{title}\nPanels: {swept.LABELS[cfg['sweep']].lower()}; motion class, largest Lyapunov exponent"
+    titles = (
+        f"{title}\nPanels: {swept.label(cfg['sweep'], cfg['state']).lower()}; motion class, largest Lyapunov exponent"
+    )
     box = figure.legend(handles=lines, title=titles, title_fontsize=7.5, loc="outside upper center", ncols=2)
     box.get_title().set_multialignment("center")
 

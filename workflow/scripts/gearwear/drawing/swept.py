@@ -9,6 +9,14 @@ LABELS = {
     "ste": "Mean static transmission error over that of the reference case",
     "backlash": "Mean backlash over its initial value",
 }
+# Of an oscillator that is given, not found for a gear pair.
+_OVER_THE_GIVEN = {"ste": "Transmission error over the one given", "backlash": "Clearance over the one given"}
+
+
+def label(sweep: str, state: dict[str, Any]) -> str:
+    """Return the swept quantity as an axis names it, for a state of the gear pair or a given oscillator."""
+    given = {} if "bulk_temperature" in state else _OVER_THE_GIVEN
+    return given.get(sweep, LABELS[sweep])
 
 
 def length_unit(sweep: str, settings: dict[str, Any]) -> str:
