@@ -318,7 +318,15 @@ WORDS = {
     ],
     "load sharing": ["(a)Staticmeshforce", "(b)Dynamicmeshforce", "Loadofthepair|overmeanmeshforce"],
     "mesh force": ["Dynamicmeshforce(kN)", "Amplitude(N)", "Orderofthemeshfrequency", "(c)100°C,2.1×10⁹cycles:P2"],
-    "study": ["(a)20°C", "(g)140°C", "(h)limits", "Pinionspeed,10³rpm", "contactislostbeyond", "Revolutions,10⁹"],
+    "study": [
+        "(a)20°C",
+        "(g)140°C",
+        "(h)endofperiod1,",
+        "ofcontact(dashed)",
+        "Pinionspeed,10³rpm",
+        "contactislostbeyond",
+        "Revolutions,10⁹",
+    ],
     "exponents": ["(a)Case“without”", "(d)Case“with”", "LargestLyapunovexponent(perunitofdimensionlesstime)"],
 }
 

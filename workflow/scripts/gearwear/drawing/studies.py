@@ -47,13 +47,16 @@ def draw(figure: Figure, study: xr.Dataset, cfg: dict[str, Any]) -> None:
     panels = figure.subplots(rows, min(_COLUMNS, len(facets) + 1), squeeze=False).ravel()
     positions, ticks = _positions(study, upright)
     shown: set[str] = set()
+    edges = edges_of(positions)
+    if ticks is None and positions.size > 1:  # nothing lies before the first value or after the last
+        edges[[0, -1]] = positions[[0, -1]]
     for place, (where, one) in enumerate(facets):
         axes = panels[place]
-        shown |= _panel(axes, one, upright, positions, cfg["order"])
+        shown |= _panel(axes, one, upright, edges, cfg["order"])
         axes.set_title(f"{letter(place)} {_title(where, cfg)}", loc="left")
         _ordinate(axes, upright, ticks, cfg, place % _COLUMNS == 0)
     _limits(panels[len(facets)], facets, upright, positions, cfg)
-    panels[len(facets)].set_title(f"{letter(len(facets))} limits", loc="left")
+    panels[len(facets)].set_title(f"{letter(len(facets))} end of period 1,\nof contact (dashed)", loc="left")
     for axes in panels[len(facets) + 1 :]:
         axes.set_axis_off()
     for axes in panels[max(len(facets) + 1 - _COLUMNS, 0) : len(facets) + 1]:
@@ -87,10 +90,9 @@ def _positions(study: xr.Dataset, upright: str) -> tuple[np.ndarray, list[str] |
     return np.arange(len(values), dtype=float), [str(value) for value in values]
 
 
-def _panel(axes: Axes, one: xr.Dataset, upright: str, positions: np.ndarray, order: str) -> set[str]:
+def _panel(axes: Axes, one: xr.Dataset, upright: str, edges: np.ndarray, order: str) -> set[str]:
     """Draw one row a member, over its own speeds, and where contact is first lost; return the classes drawn."""
-    edges, shown = edges_of(positions), set()
-    lost = []
+    shown, lost = set(), []
     for row in range(one.sizes[upright]):
         member = one.isel({upright: row})
         if str(member["hindrance"].item()):
@@ -108,9 +110,8 @@ def _panel(axes: Axes, one: xr.Dataset, upright: str, positions: np.ndarray, ord
     running = one["running_speed"].values
     if np.isfinite(running).any():
         axes.axvline(_KRPM * np.nanmax(running), color="black", linewidth=0.8, dashes=(2, 1.5))
-    highest = max(
-        (peak(one.isel({upright: row})) for row in range(len(positions))), key=lambda found: np.nan_to_num(found.force)
-    )
+    forces = [peak(one.isel({upright: row})) for row in range(one.sizes[upright])]
+    highest = max(forces, key=lambda found: np.nan_to_num(found.force))
     if np.isfinite(highest.force):
         axes.text(
             0.98, 0.96, f"force ≤ {highest.force:.1f} × mean", transform=axes.transAxes, ha="right", va="top",
