@@ -107,6 +107,9 @@ def _panel(axes: Axes, one: xr.Dataset, upright: str, edges: np.ndarray, order: 
         limit = contact_limit(member)
         lost.append(np.nan if limit.everywhere else _KRPM * limit.speed)
     axes.stairs(lost, edges, orientation="horizontal", baseline=None, color="black", linewidth=1.2)
+    if not shown:
+        axes.text(0.5, 0.5, "cannot be,\nsee the table", transform=axes.transAxes, ha="center", va="center")
+        axes.set_xticks([])
     running = one["running_speed"].values
     if np.isfinite(running).any():
         axes.axvline(_KRPM * np.nanmax(running), color="black", linewidth=0.8, dashes=(2, 1.5))

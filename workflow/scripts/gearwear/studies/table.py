@@ -55,7 +55,7 @@ def rows(study: xr.Dataset, axes: list[str], order: str) -> list[dict[str, str]]
             "peak_at": _figures(highest.ratio, 4),
             "peak_at_rpm": _figures(highest.speed, 0),
             "running_speed_rpm": _figures(one["running_speed"], 0),
-            "running_class": class_name(int(one["running_class"])),
+            "running_class": NOTHING if np.isnan(natural) else class_name(int(one["running_class"])),
             "running_force_over_mean": _figures(one["running_force"], 3),
             "running_contact_loss": _figures(one["running_contact_loss"], 4),
         }
