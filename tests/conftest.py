@@ -18,6 +18,7 @@ def pytest_addoption(parser):
     parser.addoption("--long", action="store_true", help="the faults of tests/faults at every kind of stage and moment")
 
 
+@pytest.hookimpl(tryfirst=True)  # xdist reads the groups in the same hook
 def pytest_collection_modifyitems(items):
     """Keep what shares a run or a module's fixtures on one worker: all tests of the small run, and each other file."""
     for item in items:
