@@ -18,15 +18,6 @@ def pytest_addoption(parser):
     parser.addoption("--long", action="store_true", help="the faults of tests/faults at every kind of stage and moment")
 
 
-@pytest.hookimpl(tryfirst=True)  # xdist reads the groups in the same hook
-def pytest_collection_modifyitems(items):
-    """Keep what shares a run or a module's fixtures on one worker: all tests of the small run, and each other file."""
-    for item in items:
-        group = "smoke" if "smoke_run" in item.fixturenames else str(item.path)
-        item.add_marker(pytest.mark.xdist_group(group))
-    items.sort(key=lambda item: "smoke_run" not in item.fixturenames)  # the longest group first
-
-
 class Project:
     """A copy of the program in a folder of its own."""
 
