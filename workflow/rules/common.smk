@@ -65,14 +65,14 @@ scattergather:
 def member(root):
     """The configuration of a member of a study, by its folder; "" is the study itself."""
     if root not in MEMBERS:
-        study = root.split("/")[1]
+        study = Path(root).parts[1]
         known = [
-            name.split("/")[2]
+            Path(name).parts[2]
             for name in MEMBERS
             if name.startswith(f"studies/{study}/")
         ]
         raise WorkflowError(
-            f"{root.rstrip('/')}: no such member; members of study {study}: {', '.join(known) or 'none'}"
+            f"{Path(root)}: no such member; members of study {study}: {', '.join(known) or 'none'}"
         )
     return MEMBERS[root]
 

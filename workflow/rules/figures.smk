@@ -116,11 +116,11 @@ def judged():
     return files + main_sweeps()
 
 
-def main_sweeps():
+def main_sweeps(stage="sweeps"):
     """Every sweep in the order that the claims judge."""
     order = config["sweeps"]["order"]
     return [
-        f"results/{case}/sweeps/{order}/{sweep}.nc" for case, sweep in swept_cases()
+        f"results/{case}/{stage}/{order}/{sweep}.nc" for case, sweep in swept_cases()
     ]
 
 

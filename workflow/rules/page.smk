@@ -23,7 +23,7 @@ rule show_page:
     input:
         geometry=[] if config["oscillators"] else "results/geometry.nc",
         sweeps=main_sweeps(),
-        motions=[path.replace("/sweeps/", "/motions/") for path in main_sweeps()],
+        motions=main_sweeps("motions"),
         template=str(Path(workflow.basedir) / "workflow" / "report" / "page.html.j2"),
         program=str(Path(workflow.basedir) / "workflow" / "report" / "page.js"),
     output:

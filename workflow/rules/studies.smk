@@ -40,7 +40,7 @@ CHAINS = chains(chains_wanted())
 
 def case_of_study(root):
     """The case that a study is about, by the folder of a member."""
-    return config["studies"][root.split("/")[1]]["case"]
+    return config["studies"][Path(root).parts[1]]["case"]
 
 
 def units_of(study):

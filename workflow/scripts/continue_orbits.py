@@ -10,7 +10,7 @@ from gearwear.orbits.branches import explore
 from gearwear.orbits.continuation import Limits
 from gearwear.orbits.record import columns
 from gearwear.orbits.return_map import COARSEST, return_maps
-from gearwear.orbits.seeds import seeds
+from gearwear.orbits.seeds import seeds_along
 from gearwear.plumbing import stage, store
 
 if TYPE_CHECKING:
@@ -25,11 +25,12 @@ def main(job):
     def oscillator_at(value):
         return swept_oscillator(source, sweep, value, dynamics, swept)
 
-    names = (sweep, "motion_class", "transient_periods", "section_displacement", "section_velocity")
-    found = []
-    for settled in map(store.load, job.input.sweeps):
-        found += seeds(*(settled[name].values for name in names), branching["largest_period"])
-    found = [seed for seed in found if oscillator_at(seed.value).torque.repeats_after(seed.period)]
+    found = [
+        seed
+        for settled in map(store.load, job.input.sweeps)
+        for seed in seeds_along(settled, sweep, branching["largest_period"])
+        if oscillator_at(seed.value).torque.repeats_after(seed.period)
+    ]
     limits = Limits(swept["first"], swept["last"], branching["largest_step"], most_nodes=branching["most_nodes"])
     maps = return_maps(oscillator_at, min(dynamics["tolerance"], COARSEST))
     branches = explore(maps, found, limits, branching["largest_period"])

@@ -1,6 +1,10 @@
 import csv
+from html.parser import HTMLParser
 from types import SimpleNamespace
 
+import pytest
+
+from gearwear.drawing import page, scorecard
 from gearwear.plumbing import tables
 from gearwear.plumbing.closure import SCRIPTS
 
@@ -36,3 +40,66 @@ def test_rows_are_written_as_csv_that_any_reader_understands(tmp_path):
         assert list(csv.DictReader(file)) == rows
     assert b"\r" not in (tmp_path / "table.csv").read_bytes()
     assert [path.name for path in tmp_path.iterdir()] == ["table.csv"]
+
+
+FORMULAS = ("=1+1", "+1+cmd|' /C calc'!A0", "-2+3", "@SUM(A1)", "\t=1", '=HYPERLINK("x")')
+
+
+def test_text_is_no_formula_for_a_spreadsheet(tmp_path):
+    plain = ["-", "-1.5", "+2", "-inf", "a=b", "1e-3", "", "x, -y"]
+    tables.write_csv(str(tmp_path / "table.csv"), ("text",), ([text] for text in (*FORMULAS, *plain)))
+    with open(tmp_path / "table.csv", newline="") as file:
+        assert [row["text"] for row in csv.DictReader(file)] == [*(f"'{text}" for text in FORMULAS), *plain]
+
+
+HOSTILE = "<script>alert(1)</script>\"'><img src=x onerror=alert(1)>&lt;</td>"
+
+
+class Read(HTMLParser):
+    """Elements, attributes and text of a page, read as a browser reads them."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.elements, self.attributes, self.text = [], [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        self.elements.append(tag)
+        self.attributes += [name for name, _ in attrs]
+
+    def handle_data(self, data):
+        self.text.append(data)
+
+
+def shape(text):
+    read = Read(text)
+    return read.elements, read.attributes
+
+
+def template(name):
+    return (SCRIPTS.parent / "report" / name).read_text(encoding="utf-8")
+
+
+def table_page(folder, text):
+    output = SimpleNamespace(csv=str(folder / "table.csv"), html=str(folder / "table.html"))
+    job = SimpleNamespace(input=SimpleNamespace(template=str(SCRIPTS.parent / "report/table.html.j2")), output=output)
+    tables.write(job, text, (text, "value"), [(text, text), ("-", text)])
+    return (folder / "table.html").read_text(encoding="utf-8")
+
+
+def claims_page(folder, text):
+    row = dict.fromkeys(("id", "says", "expected", "found", "verdict"), text) | {"figure": "12"}
+    claim = {"kind": "qualitative", "case": text}
+    return scorecard.page(template("claims.html.j2"), [row], [claim], {})
+
+
+def motions_page(folder, text):
+    record = {"case": text, "label": text, "sweep": text, "class": [text], "longest": 3}
+    return page.page(template("page.html.j2"), "", [record])
+
+
+@pytest.mark.parametrize("write", [table_page, claims_page, motions_page])
+def test_text_is_no_markup_on_a_page(write, tmp_path):
+    found = write(tmp_path, HOSTILE)
+    assert shape(found) == shape(write(tmp_path, "plain"))
+    assert HOSTILE in Read(found).text

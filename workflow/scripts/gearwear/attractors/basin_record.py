@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from gearwear.attractors.basins import UNDECIDED, Basins
@@ -31,13 +33,13 @@ def basin_columns(found: list[Basins], shape: tuple[int, int], samples: int, for
         return table
 
     motions = [motion for basins in found for motion in basins.attractors]
-    table = {}
+    table: dict[str, Any] = {}
     for name, (dims, values) in columns(motions, samples, force_parameter).items():
         behind = dims[1:] if isinstance(dims, tuple) else ()
         table[name] = (("point", "attractor", *behind), padded(values))
     shares = padded(np.concatenate([basins.shares for basins in found]))
     cells = shape[0] * shape[1]
-    index = np.array([basins.index for basins in found], dtype=np.int32)
+    index = np.array([basins.leads_to for basins in found], dtype=np.int32)
     table["share"] = (("point", "attractor"), shares)
     table["share_error"] = (("point", "attractor"), np.sqrt(shares * (1 - shares) / cells))
     table["escaped_share"] = (("point", "attractor"), padded(np.concatenate([basins.escaped for basins in found])))

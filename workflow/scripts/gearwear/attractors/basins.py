@@ -23,17 +23,17 @@ class Basins(NamedTuple):
     attractors : by class, those of one class by their largest section displacement, the undecided class last
     escaped : (attractors,) of the first sixteen chaotic motions, the share that had become periodic after the longest
         transient; 0 for other attractors
-    index : (states,) place of the attractor in that list that a state leads to, or UNDECIDED
+    leads_to : (states,) place of the attractor in that list that a state leads to, or UNDECIDED
     """
 
     attractors: list[Attractor]
     escaped: np.ndarray
-    index: np.ndarray
+    leads_to: np.ndarray
 
     @property
     def shares(self) -> np.ndarray:
         """(attractors,) part of the states that lead to each."""
-        return np.array([(self.index == place).mean() for place in range(len(self.attractors))])
+        return np.array([(self.leads_to == place).mean() for place in range(len(self.attractors))])
 
 
 def cell_centres(first: float, last: float, count: int) -> np.ndarray:

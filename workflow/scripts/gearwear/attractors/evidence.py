@@ -77,16 +77,17 @@ def weigh(
     exponent, error = mean_and_error(growth / oscillator.period)
     found = recurrence(states, largest_period, recurrence_tolerance)
     candidates = [found.period] if found.period else shrinking_periods(states, largest_period, _NEAR)
-    orbit, distance, stable = _orbit_near(oscillator, states, first_period, candidates, tolerance, backend)
+    near, distance, stable = _orbit_near(oscillator, states, first_period, candidates, tolerance, backend)
+    orbit = near if stable else None
     positive = exponent > max(chaos_threshold, 3 * error)
     code, conflict = motion_class.NOT_CONVERGED, motion_class.AGREED
-    if stable:
+    if orbit is not None:
         code = orbit.period
         if found.period not in (0, code):
             conflict = motion_class.OTHER_PERIOD
     elif found.period:
         conflict = motion_class.NO_STABLE_ORBIT
-        code = found.period if orbit is None else motion_class.NOT_CONVERGED
+        code = found.period if near is None else motion_class.NOT_CONVERGED
     elif positive and not recurrence(states[-2 * largest_period - 1 :], largest_period, recurrence_tolerance).period:
         code = motion_class.CHAOTIC
     elif oscillator.has_second_frequency and exponent <= 3 * error:
@@ -107,9 +108,9 @@ def weigh(
         period=period,
         recurrence_period=found.period,
         recurrence_distance=found.distance,
-        stable_orbit_period=orbit.period if stable else 0,
-        stable_orbit_distance=distance if stable else np.nan,
-        multiplier=complex(orbit.multipliers[0]) if stable else complex(np.nan, np.nan),
+        stable_orbit_period=0 if orbit is None else orbit.period,
+        stable_orbit_distance=np.nan if orbit is None else distance,
+        multiplier=complex(np.nan, np.nan) if orbit is None else complex(orbit.multipliers[0]),
         exponent=exponent,
         exponent_error=error,
     )
@@ -122,13 +123,15 @@ def _orbit_near(oscillator, states, first_period, candidates, tolerance, backend
     where an external torque has its phase of period 0.
     """
     maps = return_maps(lambda _: oscillator, min(tolerance, COARSEST), backend)
-    known = None, np.nan, False
+    known: tuple[Orbit | None, float, bool] = None, np.nan, False
     for period in candidates:
         if not oscillator.torque.repeats_after(period):
             continue
         last = len(states) - 1 - (first_period + len(states) - 1) % period
         orbit = periodic_orbit(maps, oscillator.frequency, states[last], period).orbit
-        own = minimal_period(orbit) if orbit is not None else period
+        if orbit is None:
+            continue
+        own = minimal_period(orbit)
         if own < period and oscillator.torque.repeats_after(own):
             orbit = periodic_orbit(maps, oscillator.frequency, orbit.section[0], own).orbit
         if orbit is None:

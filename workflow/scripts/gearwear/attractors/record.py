@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from gearwear.attractors.settling import Attractor
@@ -20,7 +22,7 @@ _NO_COLUMN = ("end",)  # it is the last of the section, but for motion of more t
 _SECTION = {"displacement": "section_displacement", "velocity": "section_velocity"}
 
 
-def columns(motions: list[Attractor], samples: int, force_parameter: float) -> dict:
+def columns(motions: list[Attractor], samples: int, force_parameter: float) -> dict[str, Any]:
     """Return the variables of a sweep, each as (dimensions, array), from the motions at its points.
 
     Parameters
@@ -29,7 +31,7 @@ def columns(motions: list[Attractor], samples: int, force_parameter: float) -> d
     samples : length of every section.
     force_parameter : dimensionless mean force; the largest mesh force is given over it.
     """
-    table = {}
+    table: dict[str, Any] = {}
     for name in Attractor._fields:
         if name in _NO_COLUMN:
             continue

@@ -1,6 +1,6 @@
 """The motions that oscillators settle to."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -237,7 +237,7 @@ def _determinant_error(oscillator: Oscillator, maps: np.ndarray) -> float:
 
 def _lost(points, status, transient: int, samples: int, size: int) -> dict[int, Attractor]:
     """Return the points whose motion was not completed, and what is known of them."""
-    unknown = dict.fromkeys(Attractor._fields, np.nan)
+    unknown: dict[str, Any] = dict.fromkeys(Attractor._fields, np.nan)
     unknown.update(dict.fromkeys(("conflict", "period", "recurrence_period", "stable_orbit_period"), 0))
     unknown.update(
         motion_class=motion_class.NOT_CONVERGED,

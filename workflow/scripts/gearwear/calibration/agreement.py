@@ -69,8 +69,8 @@ def _judge(claim: Mapping[str, Any], sweeps: Mapping[tuple[str, str], Sweep], st
             holds = False
         return holds, float(holds)
     if claim["kind"] == "qualitative":
-        onsets = [_location(sweeps[case, "mesh_frequency"], "chaos onset") for case in ("with", "without")]
-        earlier = None not in onsets and onsets[0] < onsets[1]
+        hot, cold = (_location(sweeps[case, "mesh_frequency"], "chaos onset") for case in ("with", "without"))
+        earlier = hot is not None and cold is not None and hot < cold
         return earlier, float(earlier)
     if claim["kind"] == "numeric":
         return _near(_location(sweeps[claim["case"], claim["sweep"]], claim["event"]), claim["expected"])

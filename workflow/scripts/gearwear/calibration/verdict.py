@@ -12,6 +12,7 @@ from gearwear.calibration.agreement import agreements, judged, subject
 from gearwear.calibration.candidate import SWEPT, pair_of, settled_sweeps
 from gearwear.calibration.parameters import NAMES, OSCILLATOR, ends, values_of, with_values
 from gearwear.calibration.search import grid_of
+from gearwear.dynamics.periodic import sum_of_harmonics
 from gearwear.plumbing.key_types import SWEEPS
 
 STUDY = "study"  # the values of the configuration itself, computed like the best ones
@@ -76,6 +77,7 @@ def _in_full(config: dict[str, Any], claims: Sequence[Mapping[str, Any]]):
     values = {(case, sweep): grid_of(config, sweep) for case, sweep in SWEPT}
     agrees, merit = agreements(claims, settled_sweeps(config, pair.sources, values), pair.states)
     hot = pair.sources["with"]
-    lag = np.angle(-np.exp(1j * (hot.stiffness.phases[0] - hot.shape.phases[0])))
-    oscillator = [hot.force_parameter, hot.stiffness.amplitudes[0], hot.error_amplitude / hot.force_parameter, lag]
+    stiffness, shape = sum_of_harmonics(hot.stiffness), sum_of_harmonics(hot.shape)
+    lag = np.angle(-np.exp(1j * (stiffness.phases[0] - shape.phases[0])))
+    oscillator = [hot.force_parameter, stiffness.amplitudes[0], hot.error_amplitude / hot.force_parameter, lag]
     return agrees, merit, oscillator

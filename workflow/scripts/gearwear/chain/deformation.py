@@ -9,7 +9,7 @@ import xarray as xr
 
 from gearwear.geometry.involute import GEARS
 from gearwear.geometry.kinematics import curvature
-from gearwear.heat.growth import base_circle_growth, flank_growth
+from gearwear.heat.growth import Growth, base_circle_growth, flank_growth
 
 
 def deformation(cfg: dict[str, Any], geometry: xr.Dataset, temperature: xr.Dataset) -> xr.Dataset:
@@ -24,7 +24,7 @@ def deformation(cfg: dict[str, Any], geometry: xr.Dataset, temperature: xr.Datas
     rim = cfg["case"]["bulk_temperature"] - heat["initial_temperature"]
     shaft = max(rim - heat["shaft_temperature_drop"], 0.0)
     radii, _ = curvature(geometry)
-    grown, with_flash, rims = [], [], []
+    grown, with_flash, rims = list[Growth](), list[Growth](), []
     for i, name in enumerate(GEARS):
         base, expansion = float(geometry["base_radius"][i]), cfg["material"][name]["thermal_expansion"]
         rims.append(base_circle_growth(shaft, rim, float(geometry["bore_radius"][i]), base, expansion, heat["hub"]))

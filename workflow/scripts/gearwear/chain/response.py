@@ -61,7 +61,7 @@ def response(cfg: dict[str, Any], geometry: xr.Dataset, state: xr.Dataset, refer
         "lyapunov_exponent": motion.exponent,
         "contact_loss_share": motion.contact_loss_share,
     }
-    if isinstance(source.stiffness, Harmonics):
+    if isinstance(source.stiffness, Harmonics) and isinstance(source.shape, Harmonics):
         values["stiffness_amplitude"] = ("harmonic", np.array(source.stiffness.amplitudes))
         values["stiffness_phase"] = ("harmonic", np.array(source.stiffness.phases))
         values["error_phase"] = ("harmonic", np.array(source.shape.phases))

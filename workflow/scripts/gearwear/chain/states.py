@@ -27,7 +27,7 @@ def states(
     ----------
     cfg : the sections that the stages of the chain read, and the entry `case`.
     updates : wear cycles after the unworn state.
-    reference : the same of the pristine reference case; not needed without wear.
+    reference : the same of the pristine reference case; None for a case without wear cycles.
 
     Raises
     ------
@@ -43,8 +43,11 @@ def states(
     state = state_of(unworn(geometry))
     yield together(state)
     for _ in range(updates):
+        if reference is None:
+            raise ValueError("wear needs the motion, and with it the state of the reference case; give it")
         motion = response(cfg, geometry, together(state), reference)
-        state = state_of(worn(cfg, geometry, *state[:3], motion))
+        flanks, stiffness, shared, _ = state
+        state = state_of(worn(cfg, geometry, flanks, stiffness, shared, motion))
         yield together(state)
 
 

@@ -26,7 +26,7 @@ def mesh_stiffness(cfg: dict[str, Any], geometry: xr.Dataset, deformation: xr.Da
     force = mesh_force(geometry, cfg["operation"]["pinion_torque"]) if "operation" in cfg else 0.0
     pairs = pair_stiffness(geometry, modulus, poisson, flanks, cfg["mesh_stiffness"], force)
     mesh = over_the_mesh(pairs, geometry["entering"].values, geometry["leaving"].values)
-    values = {
+    values: dict[str, Any] = {
         "mesh_stiffness": ("mesh_phase", mesh),
         "pair_stiffness": ("path", pairs.pair_stiffness),
         "pair_coupling": ("path", pairs.coupling),

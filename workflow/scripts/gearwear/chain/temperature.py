@@ -60,7 +60,7 @@ def temperature(cfg: dict[str, Any], geometry: xr.Dataset) -> xr.Dataset:
     peak = contact.flash_temperature.max()
     ratios = [heat(*factors)[1].flash_temperature.max() / peak if peak > 0 else 1.0 for factors in _RAISED.values()]
     flows = heat_flows(geometry, bulk, cfg["operation"], cfg["lubricant"], cfg["heat_balance"])
-    values = {name: ("path", value) for name, value in contact._asdict().items()} | flows._asdict()
+    values: dict[str, Any] = {name: ("path", value) for name, value in contact._asdict().items()} | flows._asdict()
     values["contact_temperature"] = ("path", bulk + contact.flash_temperature)
     values["surface_speed"] = (("gear", "path"), speed)
     values["flash_sensitivity"] = ("influence", np.array(ratios))

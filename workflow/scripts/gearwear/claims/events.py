@@ -102,9 +102,8 @@ def chaos_earlier_with_temperature_and_wear(study: Study) -> tuple[bool | None, 
     """Return whether chaos starts at a lower mesh frequency in case ``with`` than in case ``without``."""
     onsets = {case: onset_of_chaos(read_sweep(study, case, "mesh_frequency")).location for case in ("with", "without")}
     found = ", ".join(f"{case} {'no onset' if at is None else f'{at:.4f}'}" for case, at in onsets.items())
-    if None in onsets.values():
-        return None, found
-    return onsets["with"] < onsets["without"], found
+    hot, cold = onsets["with"], onsets["without"]
+    return None if hot is None or cold is None else hot < cold, found
 
 
 def _classified(sweep: Sweep) -> tuple[np.ndarray, np.ndarray]:

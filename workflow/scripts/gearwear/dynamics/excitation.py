@@ -110,11 +110,11 @@ def excitation(geometry, state, reference, pinion_torque: float, settings: dict)
         unit = own
     if settings["harmonics"] == "full":
         double = geometry["leaving"].values >= 0
-        relative_stiffness = _table(stiffness / mean, width, double)
-        shape = _table(error / first, width, double)
+        relative_stiffness: Harmonics | PeriodicTable = _table(stiffness / mean, width, double)
+        shape: Harmonics | PeriodicTable = _table(error / first, width, double)
     else:
-        relative_stiffness = Harmonics(1.0, *harmonics(stiffness / mean, phase, width, settings["harmonics"]))
-        shape = Harmonics(0.0, *harmonics(error / first, phase, width, settings["harmonics"]))
+        relative_stiffness = _sum(1.0, stiffness / mean, phase, width, settings["harmonics"])
+        shape = _sum(0.0, error / first, phase, width, settings["harmonics"])
     clearance = state["backlash"].values / length
     count = 0
     if settings["clearance"] == "varying":
@@ -130,15 +130,20 @@ def excitation(geometry, state, reference, pinion_torque: float, settings: dict)
         error_amplitude=own / length,
         reference_amplitude=unit / length,
         relative_mean_error=ratio,
-        clearance=Harmonics(mean_over_mesh(clearance, width), *harmonics(clearance, phase, width, count)),
+        clearance=_sum(mean_over_mesh(clearance, width), clearance, phase, width, count),
         stiffest_phase=float(-harmonics(stiffness, phase, width, 1)[1][0] / (2 * np.pi) % 1.0),
         bearings=_bearings(geometry, mean, settings) if settings["model"] == "translational" else {},
     )
 
 
+def _sum(mean: float, values: np.ndarray, phase: np.ndarray, width: np.ndarray, count: int) -> Harmonics:
+    amplitudes, phases = harmonics(values, phase, width, count)
+    return Harmonics(mean, tuple(amplitudes), tuple(phases))
+
+
 def _bearings(geometry, mesh_stiffness: float, settings: dict) -> dict[str, Bearing | float]:
     """Return the bearings over the equivalent mass and the mean mesh stiffness (N/m), and the angle of the mesh."""
-    found = {"pressure_angle": float(geometry["working_pressure_angle"])}
+    found: dict[str, Bearing | float] = {"pressure_angle": float(geometry["working_pressure_angle"])}
     for i, name in enumerate(geometry["gear"].values):
         own = settings["bearings"][name]
         mass = float(geometry["mass"][i]) if own["mass"] is None else own["mass"]

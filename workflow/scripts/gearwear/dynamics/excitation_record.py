@@ -46,9 +46,9 @@ def columns(source: Excitation) -> dict[str, Any]:
 
 def recorded(dataset: xr.Dataset) -> Excitation:
     """Return the excitation that `columns` wrote."""
-    scalars = {attribute: float(dataset.get(name, np.nan)) for name, attribute in _SCALARS.items()}
+    scalars: dict[str, Any] = {attribute: float(dataset.get(name, np.nan)) for name, attribute in _SCALARS.items()}
     stiffness, shape = (_wave(dataset, name, mean) for name, mean in _MEANS.items())
-    clearance = _wave(dataset, "clearance", float(dataset["mean_clearance"]))
+    clearance = _sum(dataset, "clearance", float(dataset["mean_clearance"]))
     source = Excitation(stiffness=stiffness, shape=shape, clearance=clearance, **scalars)
     return source._replace(bearings=_recorded_bearings(dataset)) if "bearing_mass" in dataset else source
 
@@ -98,6 +98,10 @@ def _wave(dataset: xr.Dataset, name: str, mean: float) -> Harmonics | PeriodicTa
     if f"{name}_at_cell_start" in dataset:
         table = ("cell_edge", f"{name}_at_cell_start", f"{name}_at_cell_end")
         return PeriodicTable(*(tuple(dataset[one].values) for one in table))
+    return _sum(dataset, name, mean)
+
+
+def _sum(dataset: xr.Dataset, name: str, mean: float) -> Harmonics:
     if f"{name}_amplitude" in dataset:
         return Harmonics(mean, *(tuple(dataset[f"{name}_{part}"].values) for part in ("amplitude", "phase")))
     return Harmonics(mean)

@@ -8,7 +8,7 @@ Mesh phase 0 begins a period; the state there is the one after the jump a tabula
 A motion that cannot be carried on is reported by a status, never by an exception, and the rest of it is NaN.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,6 +21,10 @@ COMPLETED, BLOW_UP, TOO_MANY_STEPS = period_flow.COMPLETED, period_flow.BLOW_UP,
 STATES, GROWTH = cell_crossing.STATES, cell_crossing.GROWTH
 MAPS, RECORDS = cell_crossing.MAPS, cell_crossing.RECORDS
 AUTOMATIC, GENERAL = "automatic", "general"
+
+
+# None unless the detail asks for it: who asked need not look.
+Asked = np.ndarray | Any
 
 
 class Strobe(NamedTuple):
@@ -41,14 +45,14 @@ class Strobe(NamedTuple):
     """
 
     states: np.ndarray
-    growth: np.ndarray | None
-    lost: np.ndarray | None
-    impacts: np.ndarray | None
-    displacement_min: np.ndarray | None
-    displacement_max: np.ndarray | None
-    force_max: np.ndarray | None
-    tangent_maps: np.ndarray | None
-    tangent: np.ndarray | None
+    growth: Asked
+    lost: Asked
+    impacts: Asked
+    displacement_min: Asked
+    displacement_max: Asked
+    force_max: Asked
+    tangent_maps: Asked
+    tangent: Asked
     status: int
 
 

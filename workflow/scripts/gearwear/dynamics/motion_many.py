@@ -81,7 +81,7 @@ def strobe_many(
         run = strobe(
             oscillators[p], starts[p], periods, first_period, tolerance, directions[p], detail, backend, early_end
         )
-        parts.append((np.array([p]), Strobe(*(value if value is None else np.array([value]) for value in run))))
+        parts.append((np.array([p]), Strobe._make(value if value is None else np.array([value]) for value in run)))
     return _merged(parts, points)
 
 
@@ -96,7 +96,7 @@ def _merged(parts, points: int) -> Strobe:
             for (chosen, _), value in zip(parts, values, strict=True):
                 whole[chosen] = value
         fields.append(whole)
-    return Strobe(*fields)
+    return Strobe._make(fields)
 
 
 def _run(oscillators, stacked, counts, starts, directions, periods, detail, early_end):

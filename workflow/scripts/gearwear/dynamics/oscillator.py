@@ -74,7 +74,7 @@ class Coefficients(NamedTuple):
         (per unit of t), and the jumps of displacement and velocity at its end
     """
 
-    constants: tuple[float, ...]
+    constants: tuple[float, ...] | np.ndarray
     harmonics: np.ndarray
     cells: np.ndarray
 
@@ -189,7 +189,7 @@ class Oscillator:
     @cached_property
     def coefficients(self) -> Coefficients:
         """The oscillator as the kernels read it."""
-        breaks = (0.0, 1.0)
+        breaks: tuple[float, ...] = (0.0, 1.0)
         for quantity in (self.stiffness, self.error):
             breaks = quantity.breaks if isinstance(quantity, PeriodicTable) else breaks
         cells = len(breaks) - 1
@@ -203,7 +203,7 @@ class Oscillator:
             kicks, error_waves = self._kicks(self.error), Harmonics()
         else:
             kicks, error_waves = np.zeros((cells, self.size)), self.error
-        waves = (stiffness_waves, error_waves, self.clearance, self.torque)
+        waves: tuple[Harmonics | ExternalTorque, ...] = (stiffness_waves, error_waves, self.clearance, self.torque)
         harmonics = np.zeros((max(len(wave.amplitudes) for wave in waves), 8))
         for column, wave in enumerate(waves):
             count = len(wave.amplitudes)

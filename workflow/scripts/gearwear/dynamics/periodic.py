@@ -162,3 +162,10 @@ class PeriodicTable:
     def scaled(self, factor: float) -> "PeriodicTable":
         """All values multiplied by a factor."""
         return replace(self, start=tuple(factor * v for v in self.start), end=tuple(factor * v for v in self.end))
+
+
+def sum_of_harmonics(function: Harmonics | PeriodicTable) -> Harmonics:
+    """The function if it is a sum of harmonics; ValueError for a table."""
+    if isinstance(function, PeriodicTable):
+        raise ValueError("stiffness or error is a table, which has no amplitudes; give a number for dynamics.harmonics")
+    return function

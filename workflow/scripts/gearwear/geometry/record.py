@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 
@@ -13,7 +15,7 @@ _ON_PATH = ("path", "path_phase", "partner")
 
 def dataset(pair: GearPair, mesh: ContactPath) -> xr.Dataset:
     """Return every dimension under its name; coordinates are `gear`, `path` (m) and `mesh_phase`."""
-    values = {"gear": list(GEARS)}
+    values: dict[str, Any] = {"gear": list(GEARS)}
     for name, value in pair._asdict().items():
         values[name] = ("gear", value) if np.ndim(value) else value
     for name, value in mesh._asdict().items():

@@ -45,7 +45,7 @@ def flank_growth(
     radius_of_curvature: np.ndarray,
     base_radius: float,
     base_half_angle: float,
-    rise: np.ndarray,
+    rise: np.ndarray | float,
     rim_growth: float,
     thermal_expansion: float,
     mode: str,

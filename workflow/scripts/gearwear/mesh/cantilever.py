@@ -23,7 +23,9 @@ class ToothCompliance(NamedTuple):
     axial: np.ndarray
 
 
-def load_angle(radius_of_curvature: np.ndarray, base_radius: float, base_half_angle: float) -> np.ndarray:
+def load_angle(
+    radius_of_curvature: np.ndarray, base_radius: float | np.ndarray, base_half_angle: float | np.ndarray
+) -> np.ndarray:
     """Return a1 = rho/r_b - a2 (rad): the roll angle of the contact less the half tooth angle on the base circle."""
     return radius_of_curvature / base_radius - base_half_angle
 
@@ -85,7 +87,7 @@ def tooth_compliance(
     if root_ratio is not None and root_ratio < 1:
         foot = np.arcsin(np.sin(a2) / root_ratio)
         top, bottom = np.cos(a2), root_ratio * np.cos(foot)
-        cut = 1 - arm[:, 0] if arm_change is not None else 1.0
+        cut = 1.0 if arm_change is None else 1 - arm_change
         bending = bending + ((cut - cos1 * bottom) ** 3 - (cut - cos1 * top) ** 3) / (2 * cos1 * np.sin(a2) ** 3)
         slice_area = slice_area + (top - bottom) / np.sin(a2)
     return ToothCompliance(

@@ -64,7 +64,7 @@ def pair_stiffness(
         body = foundation_compliance(angles, base, root, bore, root_angle[i])
         for name, value in (*tooth._asdict().items(), ("foundation", body)):
             parts[name][i] = value / (modulus[i] * width)
-    elastic = sum(parts.values()).sum(axis=0)
+    elastic = sum(parts.values(), np.zeros_like(radii)).sum(axis=0)
     hertz = _linear_hertz(modulus, poisson_ratio, width) * np.ones(len(partner))
     coupling = np.zeros(len(partner))
     if settings["pairs"] == "coupled":

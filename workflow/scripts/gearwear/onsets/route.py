@@ -92,7 +92,7 @@ def _swept(
         return from_rest(state.source, state.dynamics, state.settling, chosen, tolerance, backend)
 
     events = _events(state, values, classify(values), classify, refinement)
-    if backend == AUTOMATIC:
+    if tolerance is None:
         return events
     maps = return_maps(lambda value: state.source.oscillator(state.dynamics, value), tolerance, backend)
     known = {one.value: one for period in codes.DOUBLED for one in doublings(state.branches, SWEEP, period)}

@@ -17,9 +17,7 @@ from gearwear.orbits import record
 from gearwear.orbits.branches import explore
 from gearwear.orbits.continuation import Limits
 from gearwear.orbits.return_map import COARSEST, return_maps
-from gearwear.orbits.seeds import seeds
-
-_SEEN = (route.SWEEP, "motion_class", "transient_periods", "section_displacement", "section_velocity")
+from gearwear.orbits.seeds import seeds_along
 
 
 def swept(config: dict[str, Any], source: Excitation, order: str) -> xr.Dataset:
@@ -58,8 +56,12 @@ def events(config: dict[str, Any], source: Excitation, sweeps: list[xr.Dataset],
     largest_period : of the orbits that are followed; the doublings of longer ones are absent.
     """
     dynamics, ends, following = config["dynamics"], config["sweeps"]["mesh_frequency"], config["branches"]
-    found = [seed for sweep in sweeps for seed in seeds(*[sweep[name].values for name in _SEEN], largest_period)]
-    found = [seed for seed in found if source.oscillator(dynamics, seed.value).torque.repeats_after(seed.period)]
+    found = [
+        seed
+        for sweep in sweeps
+        for seed in seeds_along(sweep, route.SWEEP, largest_period)
+        if source.oscillator(dynamics, seed.value).torque.repeats_after(seed.period)
+    ]
     limits = Limits(ends["first"], ends["last"], following["largest_step"], most_nodes=following["most_nodes"])
     maps = return_maps(lambda value: source.oscillator(dynamics, value), min(dynamics["tolerance"], COARSEST))
     branches = explore(maps, found, limits, largest_period)

@@ -9,7 +9,7 @@ import numpy as np
 
 from gearwear.orbits import ends
 from gearwear.orbits.codes import NONE
-from gearwear.orbits.curve import ALONG_PARAMETER, Curve, Point
+from gearwear.orbits.curve import ALONG_PARAMETER, Curve, Point, Trial
 from gearwear.orbits.ends import End
 from gearwear.orbits.locating import locate, locate_half_period
 from gearwear.orbits.newton import Orbit
@@ -48,6 +48,16 @@ class Node(NamedTuple):
     special: int
 
 
+class _Stride(NamedTuple):
+    """A step that holds: where it leads, slope and tangent there, the nodes on the way and, if it is one, the end."""
+
+    point: Point
+    slope: np.ndarray
+    tangent: np.ndarray
+    nodes: list[Node]
+    end: End | None
+
+
 def check_limits(limits: Limits) -> None:
     """ValueError for limits that contradict each other."""
     if not np.isfinite([limits.first, limits.last]).all() or limits.first >= limits.last:
@@ -74,11 +84,12 @@ def walk(curve: Curve, start: Point, forward: np.ndarray, limits: Limits, new: b
     -------
     nodes, end : the nodes in order, special points between them; and why there are no more
     """
-    here, slope, tangent = start, None, forward
+    here, tangent = start, forward
+    slope: np.ndarray | None = None
     nodes: list[Node] = []
     if not new:
         slope, trouble = curve.slope(here.place)
-        if trouble:
+        if slope is None:
             return nodes, ends.stopped(here.orbit, trouble)
         tangent = curve.tangent(here, slope, forward)
     step = _FIRST_STEP * limits.largest_step
@@ -86,40 +97,61 @@ def walk(curve: Curve, start: Point, forward: np.ndarray, limits: Limits, new: b
         trial = curve.correct(here.place + step * tangent, tangent, slope, step)
         if trial.point is not None and not 0.0 <= trial.point.place[2] <= 1.0:
             trial = _at_bound(curve, here, trial.point, slope)
-        reached, trouble, found = trial.point, trial.trouble, None
-        if reached is not None:
-            new_slope, trouble = curve.slope(reached.place, step)
-        if not trouble:
-            new_tangent = curve.tangent(reached, new_slope, tangent)
-            trouble = _objection(here, reached, step, tangent, new_tangent, new=new and not nodes)
-        if not trouble:
-            end, points = _end(curve, start, here, reached, limits, first=not nodes)
-            found = points and _specials(curve, here, reached, points[-1], skip=new and not nodes)
-            trouble = "" if found is not None else "a special point cannot be located"
-        if trouble:
+        reached, trouble = _taken(curve, start, here, trial, step, tangent, limits, new, first=not nodes)
+        if reached is None:
             step /= 2
             if step < limits.smallest_step:
                 return nodes, ends.stopped(here.orbit, trouble)
             if slope is not None:
                 slope, tangent = _refined(curve, here, step, slope, tangent)
             continue
-        nodes += [*found, *(Node(point.orbit, NONE) for point in points)]
-        if end is not None:
-            return nodes, end
+        nodes += reached.nodes
+        if reached.end is not None:
+            return nodes, reached.end
         if trial.steps <= _FEW:
             step = min(1.5 * step, limits.largest_step)
         elif trial.steps >= _MANY:
             step /= 1.5
-        if ends.gap(reached.orbit) < ends.gap(here.orbit):
-            step = min(step, _TOWARDS_HALF * ends.gap(reached.orbit))
-        here, slope, tangent = reached, new_slope, new_tangent
+        gap = ends.gap(reached.point.orbit)
+        if gap < ends.gap(here.orbit):
+            step = min(step, _TOWARDS_HALF * gap)
+        here, slope, tangent = reached.point, reached.slope, reached.tangent
     return nodes, ends.at_limit(here.orbit, limits.most_nodes)
+
+
+def _taken(
+    curve: Curve,
+    start: Point,
+    here: Point,
+    trial: Trial,
+    step: float,
+    tangent: np.ndarray,
+    limits: Limits,
+    new: bool,
+    first: bool,
+) -> tuple[_Stride | None, str]:
+    """Return the step to the point of a trial or, if it does not hold, why."""
+    point = trial.point
+    if point is None:
+        return None, trial.trouble
+    slope, trouble = curve.slope(point.place, step)
+    if slope is None:
+        return None, trouble
+    new_tangent = curve.tangent(point, slope, tangent)
+    trouble = _objection(here, point, step, tangent, new_tangent, new=new and first)
+    if trouble:
+        return None, trouble
+    end, points = _end(curve, start, here, point, limits, first)
+    found = _specials(curve, here, point, points[-1], skip=new and first) if points else None
+    if points is None or found is None:
+        return None, "a special point cannot be located"
+    return _Stride(point, slope, new_tangent, [*found, *(Node(one.orbit, NONE) for one in points)], end), ""
 
 
 def _refined(curve: Curve, here: Point, step: float, slope: np.ndarray, tangent: np.ndarray):
     """Return slope and tangent at a point for a short step from it."""
-    finer, trouble = curve.slope(here.place, step)
-    return (slope, tangent) if trouble else (finer, curve.tangent(here, finer, tangent))
+    finer, _ = curve.slope(here.place, step)
+    return (slope, tangent) if finer is None else (finer, curve.tangent(here, finer, tangent))
 
 
 def _at_bound(curve: Curve, here: Point, reached: Point, slope):

@@ -115,7 +115,7 @@ class Curve:
                 return Trial(Point(place, orbit_of(self.value(place[2]), passage)), "", steps)
             if slope is None:
                 slope, trouble = self.slope(place, reach)
-                if trouble:
+                if slope is None:
                     return Trial(None, trouble, steps)
             matrix = np.vstack([np.column_stack([passage.matrix - np.eye(2), slope]), normal])
             residual = np.append(passage.section[-1] - place[:2], normal @ (place - guess))

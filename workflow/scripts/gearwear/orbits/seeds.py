@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import xarray as xr
 
 from gearwear.dynamics.motion_class import LARGEST_PERIOD
 from gearwear.orbits.branches import Seed
@@ -30,3 +31,10 @@ def seeds(values, motion_class, transient_periods, displacement, velocity, large
         state = (float(displacement[i][-1 - over]), float(velocity[i][-1 - over]))
         found.append(Seed(float(values[i]), state, int(period)))
     return found
+
+
+def seeds_along(sweep: xr.Dataset, swept: str, largest_period: int) -> list[Seed]:
+    """Return the seeds of a sweep as its stage writes it; `swept` names the quantity along it."""
+    names = "motion_class", "transient_periods", "section_displacement", "section_velocity"
+    motion_class, transient_periods, displacement, velocity = (sweep[name].values for name in names)
+    return seeds(sweep[swept].values, motion_class, transient_periods, displacement, velocity, largest_period)

@@ -1,12 +1,14 @@
 """Section of the configuration that describes the calibration."""
 
+from typing import Any
+
 from pydantic import create_model
 
 from gearwear.plumbing.key_types import Number, Section, Whole, quantity, target
 
 
 def _span(name: str, unit: str, meaning: str, least: float, greatest: float) -> type[Section]:
-    ends = {
+    ends: dict[str, Any] = {
         end: (Number, quantity(unit, f"{which} value: {meaning}.", ge=least, le=greatest))
         for end, which in (("low", "Least"), ("high", "Greatest"))
     }

@@ -297,9 +297,8 @@ def _reference(values: dict[str, Any]) -> Iterator[Problem]:
 
 
 def _case_lists(values: dict[str, Any]) -> Iterator[Problem]:
-    lists = {("sweeps", sweep, "cases"): _at(values, f"sweeps.{sweep}.cases") for sweep in SWEEPS}
-    lists[("figures", "diagonal")] = _at(values, "figures.diagonal")
-    for path, names in lists.items():
+    for path in (*(("sweeps", sweep, "cases") for sweep in SWEEPS), ("figures", "diagonal")):
+        names = _at(values, ".".join(path))
         known = values["cases"] if path[0] == "figures" else _known(values)
         for position, name in enumerate(names or []):
             if name not in known:

@@ -63,7 +63,7 @@ def _belongs(values: xr.DataArray, dims: tuple[str, ...]) -> bool:
 
 
 def _columns(values: xr.DataArray, name: str, dims: tuple[str, ...]) -> Iterator[Column]:
-    field = field_of(name, values.dims)
+    field = field_of(name, tuple(map(str, values.dims)))
     unit = f" [{field.units}]" if field.units not in ("", "1") else ""
     if "gear" not in values.dims or "gear" in dims:
         yield Column(f"{name}{unit}", field, values)

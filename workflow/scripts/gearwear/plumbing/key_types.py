@@ -6,9 +6,10 @@ import math
 import re
 from collections.abc import Iterator
 from functools import cache
-from typing import Annotated, Any, get_args, get_origin
+from typing import Annotated, Any, TypeGuard, get_args, get_origin
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, Strict, StringConstraints, TypeAdapter
+from pydantic.config import JsonDict
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticCustomError
 
@@ -78,7 +79,7 @@ OrNull = BeforeValidator(_read_nullable)
 OrOff = BeforeValidator(_read_off)
 
 
-def quantity(unit: str, meaning: str, **limits: float) -> Any:
+def quantity(unit: str, meaning: str, **limits: Any) -> Any:
     """Declare a number with its unit ("1" if it has none), meaning and limits (`ge`, `gt`, `le`, `lt`)."""
     return Field(description=meaning, json_schema_extra={"unit": unit}, **limits)
 
@@ -96,8 +97,8 @@ def plain(meaning: str) -> Any:
 
 def target(meaning: str, unit: str | None = None, **limits: Any) -> Any:
     """Declare a key that decides which files are made and never what stands in them."""
-    extra = {"decides_targets": True} | ({"unit": unit} if unit else {})
-    return Field(description=meaning, json_schema_extra=extra, **limits)
+    further: JsonDict = {"decides_targets": True} | ({"unit": unit} if unit else {})
+    return Field(description=meaning, json_schema_extra=further, **limits)
 
 
 def table(meaning: str, entries: str, **default: Any) -> Any:
@@ -105,7 +106,7 @@ def table(meaning: str, entries: str, **default: Any) -> Any:
     return Field(description=meaning, json_schema_extra={"decides_targets": True, "entries": entries}, **default)
 
 
-def is_section(annotation: Any) -> bool:
+def is_section(annotation: Any) -> TypeGuard[type[Section]]:
     """Return whether a key of this type holds the keys of a model."""
     return isinstance(annotation, type) and issubclass(annotation, Section)
 
@@ -115,20 +116,32 @@ def entry_type(annotation: Any) -> Any:
     return get_args(annotation)[1] if get_origin(annotation) is dict else None
 
 
+def further(field: FieldInfo, name: str) -> Any:
+    """Return what the declaration of a key says beyond its type and meaning, None if it does not."""
+    said = field.json_schema_extra
+    return said.get(name) if isinstance(said, dict) else None
+
+
 def free_names(field: FieldInfo) -> str:
     """Return what the free names of a table stand for, in the plural."""
-    return (field.json_schema_extra or {}).get("entries", "cases")
+    return further(field, "entries") or "cases"
 
 
 def unit_of(field: FieldInfo) -> str | None:
     """Return the unit of a key, None for keys that are no numbers."""
-    return (field.json_schema_extra or {}).get("unit")
+    return further(field, "unit")
 
 
 @cache
 def adapter(annotation: Any, metadata: tuple[Any, ...] = ()) -> TypeAdapter:
     """Return what reads the values of one key, limits included."""
     return TypeAdapter(Annotated[(annotation, *metadata)] if metadata else annotation)
+
+
+def adapter_of(field: FieldInfo) -> TypeAdapter:
+    """Return what reads the values of a key as it is declared."""
+    annotation: Any = field.annotation
+    return adapter(annotation, tuple(field.metadata))
 
 
 def placeholder(field: FieldInfo) -> str:

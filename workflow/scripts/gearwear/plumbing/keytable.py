@@ -13,7 +13,7 @@ from typing import Any
 import yaml
 from pydantic.fields import FieldInfo
 
-from gearwear.plumbing.key_types import adapter, entry_type, is_section, keys, placeholder, unit_of
+from gearwear.plumbing.key_types import adapter, adapter_of, entry_type, further, is_section, keys, placeholder, unit_of
 from gearwear.plumbing.settings import check
 from gearwear.plumbing.slices import STAGES, readers
 from gearwear.plumbing.study_sections import Configuration
@@ -65,7 +65,7 @@ def table_text(defaults: dict[str, Any], stages: Mapping[str, tuple[str, ...]]) 
     lines = [_INTRODUCTION.rstrip()]
     for name, field in Configuration.model_fields.items():
         entry = entry_type(field.annotation)
-        meaning = (field.annotation if entry is None else entry).__doc__
+        meaning = (field.annotation if entry is None else entry).__doc__ or ""
         lines += ["", f"## {name}", "", meaning, ""]
         lines += [
             "| key | unit | allowed | default | meaning | re-runs |",
@@ -109,15 +109,14 @@ def _row(
     path: tuple[str, ...], field: FieldInfo, defaults: dict[str, Any], stages: Mapping[str, tuple[str, ...]]
 ) -> str:
     entry = entry_type(field.annotation)
-    reader = adapter(field.annotation, tuple(field.metadata)) if entry is None else adapter(entry)
-    targets_only = (field.json_schema_extra or {}).get("decides_targets")
+    reader = adapter_of(field) if entry is None else adapter(entry)
     cells = (
         f"`{'.'.join(path)}`",
         unit_of(field) or "-",
         allowed(reader.json_schema()),
         _default(defaults, path),
-        field.description,
-        _ONLY_TARGETS if targets_only else ", ".join(readers(path, stages)),
+        field.description or "",
+        _ONLY_TARGETS if further(field, "decides_targets") else ", ".join(readers(path, stages)),
     )
     return f"| {' | '.join([cells[0], *(cell.translate(_ESCAPES) for cell in cells[1:])])} |"
 

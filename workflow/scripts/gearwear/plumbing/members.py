@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from gearwear.onsets import ensemble
+from gearwear.plumbing.consistency import Problem
 from gearwear.plumbing.grids import combinations, nested, slug
 from gearwear.plumbing.settings import ConfigError, check
 from gearwear.plumbing.wording import dotted
@@ -31,7 +32,7 @@ def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
     ------
     ConfigError : with one line for every problem of any member, naming the member and the key.
     """
-    found, problems = {"": config}, []
+    found, problems = {"": config}, list[tuple[str, Problem]]()
     for study, table in _studies(config).items():
         for member, overrides in table.items():
             root = f"studies/{study}/{member}/"
@@ -63,8 +64,9 @@ def merged(base: Overrides, overrides: Overrides) -> dict[str, Any]:
     result = dict(base)
     for key, value in overrides.items():
         below = result.get(key)
-        both = isinstance(below, Mapping) and isinstance(value, Mapping)
-        result[key] = merged(below, value) if both else value
+        if isinstance(below, Mapping) and isinstance(value, Mapping):
+            value = merged(below, value)
+        result[key] = value
     return result
 
 
@@ -86,16 +88,16 @@ def overrides_of(study: dict[str, Any], values: dict[str, Any]) -> dict[str, Any
 
 def _studies(config: dict[str, Any]) -> dict[str, Mapping[str, Overrides]]:
     maps = config["maps"]
-    temperatures = {
+    temperatures: dict[str, Overrides] = {
         temperature_root(value).split("/")[2]: {"cases": {maps["case"]: {"bulk_temperature": value}}}
         for value in maps["temperature"]
     }
-    declared = {
+    declared: dict[str, Mapping[str, Overrides]] = {
         name: {member: merged(study["settings"], overrides) for member, overrides in study["members"].items()}
         | {one.name: overrides_of(study, one.values) for one in combinations(study["grid"])}
         for name, study in config["studies"].items()
     }
-    made = {
+    made: dict[str, Mapping[str, Overrides]] = {
         "temperature": temperatures,
         ensemble.STUDY: ensemble.overrides(config),
         variations.STUDY: {one.name: one.overrides for one in variations.variations(config)},

@@ -23,7 +23,7 @@ def rows(config: dict[str, Any], layers: Sequence[Layer]) -> Iterator[tuple[str,
     for path, field in leaves():
         for names, value in _values(config, path):
             unit = unit_of(field) or "-"
-            yield ".".join(names), _worded(value), unit, origin(names, layers), field.description
+            yield ".".join(names), _worded(value), unit, origin(names, layers), field.description or ""
 
 
 def _values(values: Any, path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Any]]:

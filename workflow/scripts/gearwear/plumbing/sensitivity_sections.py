@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import Field, create_model
 
 from gearwear.plumbing.key_types import Number, OrNull, ReadNumber, Section, quantity
 
 
-def _ends(name: str, unit: str, what: str, **limits: float) -> type[Section]:
+def _ends(name: str, unit: str, what: str, **limits: Any) -> type[Section]:
     """Return the section of both ends of a parameter; unit and limits are those of its key."""
     low = (Number, quantity(unit, f"Low value of {what}.", **limits))
     high = (Number, quantity(unit, f"High value of {what}.", **limits))
     return create_model(name, __base__=Section, __doc__=f"Range of {what}.", low=low, high=high)
 
 
-def _open_ends(name: str, unit: str, what: str, low: str, high: str, **limits: float) -> type[Section]:
+def _open_ends(name: str, unit: str, what: str, low: str, high: str, **limits: Any) -> type[Section]:
     """Return the section of both ends of a parameter that follow from its value when they are null."""
     kind = Annotated[Annotated[float, Field(**limits), ReadNumber] | None, OrNull]
-    ends = {
+    ends: dict[str, Any] = {
         end: (kind, quantity(unit, f"{end.capitalize()} value of {what}; null = {factor} of its value."))
         for end, factor in (("low", low), ("high", high))
     }

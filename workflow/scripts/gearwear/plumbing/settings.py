@@ -12,7 +12,7 @@ from pydantic.fields import FieldInfo
 
 from gearwear.plumbing import derived, units
 from gearwear.plumbing.consistency import Problem, disagreements
-from gearwear.plumbing.key_types import Section, adapter, entry_type, free_names, is_section, keys, unit_of
+from gearwear.plumbing.key_types import Section, adapter, adapter_of, entry_type, free_names, is_section, keys, unit_of
 from gearwear.plumbing.study_sections import Configuration
 from gearwear.plumbing.wording import allowed, dotted, listed, refusal, shown, with_units
 
@@ -101,7 +101,7 @@ def _read_key(field: FieldInfo, raw: Any, path: tuple, problems: list[Problem]) 
         return _read_section(field.annotation, raw, path, problems)
     if entry_type(field.annotation) is not None:
         return _read_table(field, raw, path, problems)
-    return _read_value(_adapter_of(field), unit_of(field), raw, path, problems)
+    return _read_value(adapter_of(field), unit_of(field), raw, path, problems)
 
 
 def _read_value(reader: TypeAdapter, unit: str | None, raw: Any, path: tuple, problems: list[Problem]) -> Any:
@@ -151,10 +151,6 @@ def _usable(values: dict[str, Any]) -> dict[str, Any]:
     return {name: value for name, value in values.items() if value is not _UNUSABLE}
 
 
-def _adapter_of(field: FieldInfo) -> TypeAdapter:
-    return adapter(field.annotation, tuple(field.metadata))
-
-
 def _entries_of(field: FieldInfo) -> str:
     return f"give names of {free_names(field)} with their values below it"
 
@@ -164,7 +160,7 @@ def _missing(field: FieldInfo) -> str:
         return f"missing section; give its keys {listed(list(field.annotation.model_fields))}"
     if entry_type(field.annotation) is not None:
         return f"missing section; {_entries_of(field)}"
-    return f"missing; give {allowed(_adapter_of(field).json_schema(), unit_of(field))}"
+    return f"missing; give {allowed(adapter_of(field).json_schema(), unit_of(field))}"
 
 
 def _unknown(key: Any, path: tuple, siblings: list[str]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import linecache
 import logging
 import sys
+import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import TextIO
@@ -63,10 +64,8 @@ def logged(job, script: str) -> Iterator[None]:
 
 def worded(error: ValueError) -> bool:
     """Return whether `error` comes from a `raise` of this project's code, and not from inside a library."""
-    trace = error.__traceback__
-    while trace.tb_next is not None:
-        trace = trace.tb_next
-    file, line = trace.tb_frame.f_code.co_filename, trace.tb_lineno
+    *_, (frame, line) = traceback.walk_tb(error.__traceback__)
+    file = frame.f_code.co_filename
     return linecache.getline(file, line).lstrip().startswith("raise ") and "site-packages" not in file
 
 

@@ -115,7 +115,7 @@ def load(path: str | Path) -> xr.Dataset:
     _own(path, dataset.attrs)
     for name, values in dataset.variables.items():
         try:
-            optional = field_of(str(name), values.dims).may_be_missing
+            optional = field_of(str(name), tuple(map(str, values.dims))).may_be_missing
         except ValueError as error:
             raise ValueError(f"{path}: {error}; {_REMEDY}") from None
         if values.dtype.kind != "f" or optional:
@@ -234,7 +234,7 @@ def lineages(job) -> dict[str, str]:
 
 def _describe(dataset: xr.Dataset, name: str) -> None:
     values = dataset[name]
-    field = field_of(name, values.dims)
+    field = field_of(name, tuple(map(str, values.dims)))
     if values.dtype.kind == "f" and not field.may_be_missing and not np.isfinite(values).all():
         raise ValueError(f"{name}: holds values that are not finite")
     values.attrs = {"long_name": field.long_name}

@@ -9,6 +9,8 @@ from typing import Any
 
 from gearwear.plumbing import store
 
+_OF_FORMULAS = ("=", "+", "-", "@", "\t", "\r")
+
 
 def write_rows(rows: Sequence[Mapping[str, str]], path: str) -> None:
     """Write rows with the same keys, at least one, as CSV, complete or not at all."""
@@ -35,6 +37,19 @@ def write(job, title: str, columns: Sequence[str], rows: Iterable[Sequence[str]]
 
 
 def write_csv(path: str, columns: Iterable[str], rows: Iterable[Iterable[Any]]) -> None:
-    """Write a table as CSV, complete or not at all; a number as the shortest text that reads back as the same one."""
+    """Write a table as CSV, complete or not at all; a number as the shortest text that reads back as the same one.
+
+    Text that a spreadsheet would take for a formula gets an apostrophe before it.
+    """
     with store.atomic(path) as temporary, open(temporary, "w", encoding="utf-8", newline="") as file:
-        csv.writer(file, lineterminator="\n").writerows([columns, *rows])
+        csv.writer(file, lineterminator="\n").writerows([map(_inert, row) for row in (columns, *rows)])
+
+
+def _inert(cell: Any) -> Any:
+    if not isinstance(cell, str) or cell == "-" or not cell.startswith(_OF_FORMULAS):
+        return cell
+    try:
+        float(cell)
+    except ValueError:
+        return f"'{cell}"
+    return cell

@@ -119,7 +119,7 @@ def allowed(schema: dict[str, Any], unit: str | None = None) -> str:
     return " ".join(filter(None, [_KINDS[kind], span(schema), unit if unit and unit != "1" else ""]))
 
 
-def with_units(schema: dict[str, Any], unit: str) -> str:
+def with_units(schema: dict[str, Any], unit: str | None) -> str:
     """Return in words what a key allows, with an example of a value that carries its unit."""
     return f"give {allowed(schema, unit)} (or with its unit, such as {example(unit)})"
 

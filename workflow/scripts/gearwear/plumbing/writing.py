@@ -30,21 +30,20 @@ def atomic(path: str | Path) -> Iterator[str]:
         Path(temporary).replace(path)
     except (OSError, RuntimeError) as error:
         if refusal := _refusal(temporary, error):
-            code = errno.errorcode[refusal.errno]
-            raise ValueError(
-                f"{path}: cannot be written ({refusal.strerror}, {code}); mend that and run the workflow again"
-            ) from None
+            raise ValueError(f"{path}: cannot be written ({refusal}); mend that and run the workflow again") from None
         raise
     finally:
         with suppress(FileNotFoundError):
             Path(temporary).unlink()
 
 
-def _refusal(temporary: str, error: Exception) -> OSError | None:
+def _refusal(temporary: str, error: Exception) -> str | None:
     """Return why the system would not write; netCDF hides the reason or takes it for another, writing on shows it."""
     try:
         with open(temporary, "ab") as file:
             file.write(bytes(_PROBE))
     except OSError as found:
         error = found
-    return error if isinstance(error, OSError) and error.errno in _REFUSALS else None
+    if isinstance(error, OSError) and error.errno in _REFUSALS:
+        return f"{error.strerror}, {errno.errorcode[error.errno]}"
+    return None

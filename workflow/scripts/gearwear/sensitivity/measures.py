@@ -10,6 +10,7 @@ import xarray as xr
 from gearwear.chain.geometry import geometry
 from gearwear.chain.states import last_state
 from gearwear.dynamics.excitation import excitation
+from gearwear.dynamics.periodic import sum_of_harmonics
 from gearwear.geometry.involute import GEARS
 from gearwear.onsets import whole_route
 from gearwear.onsets.shifts import CASES
@@ -49,7 +50,7 @@ def _of(config: dict[str, Any], pair: xr.Dataset, state: xr.Dataset, reference: 
     first = excitation(pair, state, reference, torque, dynamics | {"harmonics": 1})
     values = {
         "mean_stiffness": first.mean_stiffness,
-        "stiffness_ripple": first.stiffness.amplitudes[0],
+        "stiffness_ripple": sum_of_harmonics(first.stiffness).amplitudes[0],
         "relative_mean_error": first.relative_mean_error,
         "mean_half_backlash": first.clearance.mean * first.length,
         "deepest_wear": ("gear", state["wear_depth"].values.max(axis=1)),

@@ -11,6 +11,7 @@ from gearwear.attractors.settling import Settling, settle
 from gearwear.chain.record import state_at
 from gearwear.dynamics.excitation import Excitation, excitation, rest_state
 from gearwear.dynamics.motion_class import NOT_CONVERGED
+from gearwear.dynamics.periodic import sum_of_harmonics
 from gearwear.geometry.involute import GEARS
 from gearwear.geometry.kinematics import angular_speed
 from gearwear.onsets import whole_route
@@ -79,7 +80,7 @@ def outcome(cfg: dict[str, Any], chain: xr.Dataset, update: int) -> xr.Dataset:
         "pinion_speed": ("point", ratios * natural_speed),
         "natural_speed": natural_speed,
         "mean_stiffness": source.mean_stiffness,
-        "stiffness_ripple": first.stiffness.amplitudes[0],
+        "stiffness_ripple": sum_of_harmonics(first.stiffness).amplitudes[0],
         "relative_mean_error": source.relative_mean_error,
         "mean_half_backlash": source.clearance.mean * source.length,
         "deepest_wear": ("gear", state["wear_depth"].values.max(axis=1)),

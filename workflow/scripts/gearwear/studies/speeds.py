@@ -40,7 +40,9 @@ def intervals(one: xr.Dataset, order: str) -> list[tuple[str, float, float, floa
     """
     ratio, speed = one["mesh_frequency"].values, one["pinion_speed"].values
     found = runs(one["motion_class"].sel(order=order).values)
-    return [(class_name(code), *(float(axis[at]) for axis in (ratio, speed) for at in (a, b))) for code, a, b in found]
+    return [
+        (class_name(code), float(ratio[a]), float(ratio[b]), float(speed[a]), float(speed[b])) for code, a, b in found
+    ]
 
 
 def period_one_limit(one: xr.Dataset) -> Limit:

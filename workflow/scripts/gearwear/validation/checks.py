@@ -113,18 +113,21 @@ def _check(group: str, entry: Entry, sources: Mapping[str, str]) -> Check:
         raise ValueError(f"source {entry.source!r} is not listed; it may be {', '.join(sources)}")
     if entry.unit not in UNITS:
         raise ValueError(f"unit {entry.unit!r} is unknown; it may be {', '.join(UNITS)}")
-    if (entry.relative is None) == (entry.absolute is None):
+    if entry.absolute is not None and entry.relative is None:
+        kind, given = "absolute", entry.absolute
+    elif entry.relative is not None and entry.absolute is None:
+        kind, given = "relative", entry.relative
+    else:
         raise ValueError("needs either relative or absolute, the tolerance")
     if len(entry.along) > 1 or (entry.along and entry.at):
         raise ValueError("along takes one parameter, and no labels beside it")
     along, values = next(iter(entry.along.items()), ("", entry.at))
     count = len(values) or np.size(entry.expected)
     expected = np.broadcast_to(entry.expected, count) if np.size(entry.expected) == 1 else np.array(entry.expected)
-    given = entry.relative if entry.absolute is None else entry.absolute
     allowed = np.broadcast_to(given, count) if np.size(given) == 1 else np.array(given)
     if not len(expected) == len(allowed) == count:
         raise ValueError(f"{len(expected)} expected numbers and {len(allowed)} tolerances for {count} places")
-    kind, scale = ("absolute", 1.0) if entry.relative is None else ("relative", np.abs(expected))
+    scale = np.abs(expected) if kind == "relative" else 1.0
     places = tuple(value if isinstance(value, str) else f"{value:.12g}" for value in values) or ("",) * count
     return Check(
         group=group,

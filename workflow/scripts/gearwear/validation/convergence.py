@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from gearwear.dynamics.harmonics import harmonics, mean_over_mesh
@@ -54,7 +56,7 @@ def path_cells(pair: dict, torque: float, cells: float) -> float:
     return abs(coarse / fine - 1)
 
 
-def wear_blocks(pair: dict, torque: float, blocks: float, finest: int = 700, **law: float) -> float:
+def wear_blocks(pair: dict, torque: float, blocks: float, finest: int = 700, **law: Any) -> float:
     """Return the relative error of the deepest wear of 2.1e9 revolutions in some blocks of constant increment."""
     coarse, fine = (worn_mesh(pair, torque, blocks=int(n), **law).depth.max() for n in (blocks, finest))
     return coarse / fine - 1
