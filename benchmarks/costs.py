@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-RULE = re.compile(r"^rule (\w+):\n(.*?)(?=^\S|\Z)", flags=re.MULTILINE | re.DOTALL)
+RULE = re.compile(r'^(?:rule |    rule:\s+name:\s+f")(\w+).*?\n(.*?)(?=^\S|\Z)', flags=re.MULTILINE | re.DOTALL)
 
 
 def patterns() -> dict[str, re.Pattern]:
@@ -19,12 +19,12 @@ def patterns() -> dict[str, re.Pattern]:
     found = {}
     for file in sorted((ROOT / "workflow" / "rules").glob("*.smk")):
         for rule, body in RULE.findall(file.read_text()):
-            if named := re.search(r'benchmark:\s+"([^"]+)"', body):
+            if named := re.search(r'benchmark:\s+f?"([^"]+)"', body):
                 parts = [
                     ".*" if part == "root" else "[^/]+" if index % 2 else re.escape(part)
-                    for index, part in enumerate(re.split(r"{(\w+)}", named[1]))
+                    for index, part in enumerate(re.split(r"{+(\w+)[^}]*}+", named[1]))
                 ]
-                found[rule] = re.compile("".join(parts))
+                found[rule.rstrip("_")] = re.compile("".join(parts))
     return found
 
 

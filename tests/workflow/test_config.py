@@ -88,14 +88,16 @@ def test_the_table_follows_the_stages_given():
     assert stages["dynamics.tolerance"] == stages["wear.law"] == ""
 
 
-def test_every_key_is_read_by_a_stage_or_only_decides_which_files_are_made():
+def test_every_key_is_read_by_a_stage_or_decides_only_what_is_made_and_how():
     for path, field in keys(Configuration):
         entry = entry_type(field.annotation)
         if is_section(field.annotation) or is_section(entry):
             continue
-        targets_only = (field.json_schema_extra or {}).get("decides_targets", False)
-        if not targets_only:
-            assert readers((*path, "<case>") if entry else path, STAGES), ".".join(path)
+        read = readers((*path, "<case>") if entry else path, STAGES)
+        if "decides_jobs" in (field.json_schema_extra or {}):
+            assert not read, ".".join(path)
+        elif "decides_targets" not in (field.json_schema_extra or {}):
+            assert read, ".".join(path)
 
 
 def test_every_key_a_stage_reads_exists():
@@ -257,6 +259,8 @@ BAD = [
         f"0.02 is above the largest allowed value 0.001 m; give a number from -0.001 to 0.001 m {UNITS}",
     ),
     ("heat_balance.area", "none", "text 'none' is not a number; give a number above 0 up to 10000 m2 or null"),
+    ("jobs.wear_cycles", 0, "0 is below the least allowed value 1; give a whole number from 1 to 999"),
+    ("jobs.wear_cycles", 2.5, "2.5 is not a whole number; give a whole number from 1 to 999"),
     # rules between keys
     (
         "backlash.housing.temperature_rise",

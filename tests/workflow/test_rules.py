@@ -9,6 +9,11 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 RULES = "\n".join(path.read_text() for path in sorted((ROOT / "workflow" / "rules").glob("*.smk")))
 BLOCKS = dict(re.findall(r"^rule (\w+):\n(.*?)(?=^\S|\Z)", RULES, flags=re.MULTILINE | re.DOTALL))
+# Rules made in a loop, one for every number in their name.
+LOOPED = re.findall(
+    r'^    rule:\n        name:\n            f"([a-z_]+)_{(.*?)(?=^\S|\Z)', RULES, re.MULTILINE | re.DOTALL
+)
+BLOCKS |= {name: body.replace("\n    ", "\n") for name, body in LOOPED}
 SCRIPTS = sorted((ROOT / "workflow" / "scripts").glob("*.py"))
 
 

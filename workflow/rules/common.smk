@@ -48,9 +48,18 @@ def one_of(*sections):
     return "|".join(dict.fromkeys(names)) or "(?!)"
 
 
+MEMBER = "studies/[a-z][a-z0-9_]*/[a-z][a-z0-9_]*/"
+# The folders in which single links make the chain: where blocks make it, members, and what is unworn.
+LINKED = (
+    f"({MEMBER})?"
+    if config["jobs"]["wear_cycles"] == 1
+    else f"{MEMBER}|(?=[^/]+/[^/]+/q000)"
+)
+
+
 wildcard_constraints:
     study="[a-z][a-z0-9_]*",
-    root=r"(studies/[a-z][a-z0-9_]*/[a-z][a-z0-9_]*/)?",
+    root=f"({MEMBER})?",
     case=one_of("cases", "oscillators"),
     q=r"\d{3}",
     sweep="mesh_frequency|ste|backlash",

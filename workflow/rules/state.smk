@@ -85,6 +85,7 @@ rule advance_wear:
     benchmark:
         "results/benchmarks/{root}{case}/advance_wear/q{q}.tsv"
     wildcard_constraints:
+        root=LINKED,
         q=r"(?!000)\d{3}",
     priority: 10
     params:
@@ -107,6 +108,8 @@ rule build_stiffness:
         "results/logs/{root}{case}/build_stiffness/q{q}.log",
     benchmark:
         "results/benchmarks/{root}{case}/build_stiffness/q{q}.tsv"
+    wildcard_constraints:
+        root=LINKED,
     priority: 10
     params:
         cfg=cfg("mesh_stiffness"),
@@ -129,6 +132,8 @@ rule share_load:
         "results/logs/{root}{case}/share_load/q{q}.log",
     benchmark:
         "results/benchmarks/{root}{case}/share_load/q{q}.tsv"
+    wildcard_constraints:
+        root=LINKED,
     priority: 10
     params:
         cfg=cfg("transmission_error"),
@@ -151,6 +156,8 @@ rule open_backlash:
         "results/logs/{root}{case}/open_backlash/q{q}.log",
     benchmark:
         "results/benchmarks/{root}{case}/open_backlash/q{q}.tsv"
+    wildcard_constraints:
+        root=LINKED,
     priority: 10
     params:
         cfg=cfg("backlash"),
@@ -175,6 +182,8 @@ rule solve_response:
         "results/logs/{root}{case}/solve_response/q{q}.log",
     benchmark:
         "results/benchmarks/{root}{case}/solve_response/q{q}.tsv"
+    wildcard_constraints:
+        root=LINKED,
     priority: 10
     params:
         cfg=cfg("response"),

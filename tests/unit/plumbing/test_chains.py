@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from gearwear.plumbing.chains import chain_of, chains, updates_of
+from gearwear.plumbing.chains import blocks, chain_of, chains, updates_of
 from gearwear.plumbing.settings import check
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -53,3 +53,8 @@ def test_what_the_states_depend_on_names_another_chain(default, key, value):
 @pytest.mark.parametrize(("key", "value"), [("sweeps.mesh_frequency.points", 11), ("cases.n0700_t060.flash", False)])
 def test_what_they_do_not_depend_on_names_the_same(default, key, value):
     assert chain_of(changed(default, key, value), "with") == chain_of(default, "with")
+
+
+def test_blocks_follow_each_other_to_the_last_cycle_of_every_case():
+    found = blocks({"new": 0, "short": 2, "worn": 7, "old": 6}, 3)
+    assert found == {(1, 2): ["short"], (1, 3): ["worn", "old"], (4, 6): ["worn", "old"], (7, 7): ["worn"]}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from gearwear.plumbing.slices import slice_of
@@ -34,4 +34,23 @@ def chains(wanted: Iterable[tuple[dict[str, Any], str]]) -> dict[str, dict[str, 
         if name not in found:
             found[name] = {"chain": slice_of(config, "chain", case), "updates": updates}
         found[name]["updates"] = max(found[name]["updates"], updates)
+    return found
+
+
+def blocks(updates: Mapping[str, int], cycles: int) -> dict[tuple[int, int], list[str]]:
+    """Return the blocks of links that one job computes, and the cases whose chains have them.
+
+    Parameters
+    ----------
+    updates : wear cycles of every case.
+    cycles : of a block; the last block of a chain has what is left.
+
+    Returns
+    -------
+    first and last wear cycle -> cases
+    """
+    found: dict[tuple[int, int], list[str]] = {}
+    for case, most in updates.items():
+        for first in range(1, most + 1, cycles):
+            found.setdefault((first, min(first + cycles - 1, most)), []).append(case)
     return found

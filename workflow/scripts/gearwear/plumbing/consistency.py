@@ -15,6 +15,7 @@ from typing import Any
 
 from gearwear.plumbing.bulk import BALANCE, of_case
 from gearwear.plumbing.grids import MOST_COMBINATIONS
+from gearwear.plumbing.job_sections import MOST_UPDATES
 from gearwear.plumbing.key_types import CASE_NAME, SWEEPS
 from gearwear.plumbing.oscillator_sections import unlike_waves
 from gearwear.plumbing.study_sections import MOST_CYCLES
@@ -25,7 +26,6 @@ REQUIRED_CASES = ("without", "temperature_only", "wear_only", "with")
 DRAWN_PORTRAITS = (("mesh_frequency", "without"), ("mesh_frequency", "with"), ("ste", "with"), ("backlash", "with"))
 RESERVED_NAMES = ("figures", "logs", "benchmarks", "geometry", "studies")
 MADE_STUDIES = ["temperature", "onsets", "sensitivity", "chains"]
-MOST_UPDATES = 999
 _LONGEST_NAME = 60
 _MOST_NAMED = 12
 _FOLDER_NAME = f"use small letters, digits and underscores, a letter first, at most {_LONGEST_NAME} of them"

@@ -101,6 +101,11 @@ def target(meaning: str, unit: str | None = None, **limits: Any) -> Any:
     return Field(description=meaning, json_schema_extra=further, **limits)
 
 
+def cut(meaning: str, unit: str, **limits: Any) -> Any:
+    """Declare a number that decides which jobs make the files and never what stands in them."""
+    return Field(description=meaning, json_schema_extra={"decides_jobs": True, "unit": unit}, **limits)
+
+
 def table(meaning: str, entries: str, **default: Any) -> Any:
     """Declare a table whose free names are not those of cases; it decides which files are made."""
     return Field(description=meaning, json_schema_extra={"decides_targets": True, "entries": entries}, **default)

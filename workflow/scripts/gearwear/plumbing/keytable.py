@@ -23,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[4]
 SCHEMA_FILE = Path("workflow/schemas/config.schema.json")
 TABLE_FILE = Path("config/README.md")
 
-_ONLY_TARGETS = "none: decides which files are made"
+_DECIDES = {"decides_targets": "which files are made", "decides_jobs": "which jobs make the files"}
 _MOST_SHOWN = 4
 _ESCAPES = str.maketrans({"|": r"\|", "<": r"\<"})
 _INTRODUCTION = """\
@@ -101,7 +101,7 @@ def _without_titles(schema: Any) -> Any:
     return {
         key: _without_titles(value)
         for key, value in schema.items()
-        if not (key == "title" and isinstance(value, str)) and key not in ("decides_targets", "entries")
+        if not (key == "title" and isinstance(value, str)) and key not in (*_DECIDES, "entries")
     }
 
 
@@ -110,13 +110,14 @@ def _row(
 ) -> str:
     entry = entry_type(field.annotation)
     reader = adapter_of(field) if entry is None else adapter(entry)
+    decided = [what for mark, what in _DECIDES.items() if further(field, mark)]
     cells = (
         f"`{'.'.join(path)}`",
         unit_of(field) or "-",
         allowed(reader.json_schema()),
         _default(defaults, path),
         field.description or "",
-        _ONLY_TARGETS if further(field, "decides_targets") else ", ".join(readers(path, stages)),
+        f"none: decides {decided[0]}" if decided else ", ".join(readers(path, stages)),
     )
     return f"| {' | '.join([cells[0], *(cell.translate(_ESCAPES) for cell in cells[1:])])} |"
 

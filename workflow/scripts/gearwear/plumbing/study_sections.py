@@ -23,6 +23,7 @@ from gearwear.plumbing.gear_sections import (
     Operation,
     TransmissionError,
 )
+from gearwear.plumbing.job_sections import Jobs
 from gearwear.plumbing.key_types import (
     CaseName,
     Flag,
@@ -320,4 +321,5 @@ class Configuration(Section):
     onsets: Onsets
     sensitivity: Sensitivity
     calibration: Calibration
+    jobs: Jobs
     studies: dict[CaseName, Study] = table("Studies made of members.", "studies")
