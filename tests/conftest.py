@@ -1,5 +1,6 @@
 """One small run of the whole workflow, shared by the tests that look at it."""
 
+import fcntl
 import os
 import re
 import shutil
@@ -21,12 +22,12 @@ def pytest_addoption(parser):
 class Project:
     """A copy of the program in a folder of its own."""
 
-    def __init__(self, folder: Path):
+    def __init__(self, folder: Path, source: Path = ROOT, results: tuple[str, ...] = ()):
         self.folder = folder
         self.printed = ""
-        for name in ("Snakefile", "workflow", "config", "profiles"):
-            copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
-            copy(ROOT / name, folder / name)
+        for name in ("Snakefile", "workflow", "config", "profiles", *results):
+            copy = shutil.copytree if (source / name).is_dir() else shutil.copy
+            copy(source / name, folder / name)
 
     def snakemake(self, *arguments: str, cwd: Path | None = None, **variables: str) -> subprocess.CompletedProcess:
         """Run snakemake in the copy and return what it printed, both streams in `stdout`."""
@@ -63,10 +64,21 @@ def make_project(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def smoke_run(tmp_path_factory):
-    """A copy of the program after `snakemake -j2 all` on the smoke configuration."""
-    project = Project(tmp_path_factory.mktemp("smoke"))
-    run = project.snakemake("-j2", "all", *SMOKE, "--skip-script-cleanup")  # tests/faults run single jobs again
-    assert run.returncode == 0, run.stdout[-20000:]
-    project.printed = run.stdout
+def smoke_run(request, tmp_path_factory):
+    """A copy of the program after `snakemake -j2 all` on the smoke configuration, of which every worker has its own."""
+    shared = tmp_path_factory.getbasetemp()
+    if hasattr(request.config, "workerinput"):
+        shared = shared.parent
+    made = shared / "smoke_run"
+    with open(shared / "smoke_run.lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # the first worker makes it, on all processors, and the others wait
+        if not made.exists():
+            project = Project(tmp_path_factory.mktemp("making"))
+            # tests/faults run single jobs again
+            run = project.snakemake("-j2", "all", *SMOKE, "--skip-script-cleanup")
+            assert run.returncode == 0, run.stdout[-20000:]
+            (project.folder / "printed.txt").write_text(run.stdout)
+            project.folder.rename(made)
+    project = Project(tmp_path_factory.mktemp("smoke"), made, ("results", ".snakemake"))
+    project.printed = (made / "printed.txt").read_text()
     return project
