@@ -1,8 +1,11 @@
 """Maps over two parameters, tile by tile."""
 
+import re
+
 import numpy as np
 import pytest
 import xarray as xr
+import yaml
 
 from gearwear.dynamics.motion_class import CHAOTIC
 
@@ -53,6 +56,15 @@ def test_only_a_lost_tile_is_made_anew(mapped):
     assert run.returncode == 0, run.stdout[-5000:]
     assert "tile 2-of-2" in run.stdout and "tile 1-of-2" not in run.stdout
     assert kept.stat().st_mtime_ns == made
+
+
+def test_many_points_make_many_tiles_but_no_empty_ones(mapped):
+    axes = {"mesh_frequency": {"points": 1000}, "ste": {"points": 1000}, "backlash": {"points": 20}}
+    (mapped.folder / "large.yaml").write_text(yaml.safe_dump({"maps": axes}))
+    for name, tiles in (("ste", 200), ("backlash", 4), ("wear", 2)):
+        run = mapped.snakemake("-n", *SMOKE[:3], "large.yaml", *SMOKE[3:], f"results/with/maps/{name}.nc")
+        assert run.returncode == 0, run.stdout[-5000:]
+        assert re.search(rf"^map_tile +{tiles}$", run.stdout, flags=re.MULTILINE), name
 
 
 def test_every_row_of_the_temperature_map_has_the_state_of_its_own_chain(mapped):

@@ -1,3 +1,6 @@
+POINTS_OF_A_TILE = 5000  # twenty seconds of one processor
+
+
 def mapped():
     """The figures of the maps."""
     return expand(
@@ -8,6 +11,19 @@ def mapped():
 def map_cfg(wildcards):
     """The settings a map sees."""
     return cfg(f"map_{wildcards.map}")(wildcards)
+
+
+def tiles(wildcards):
+    """The tiles of a map: as many as scattergather says, more where each would have too many points."""
+    name, settings = wildcards.map, config["maps"]
+    rows = {
+        "temperature": len(settings["temperature"]),
+        "wear": updates_of(config, wildcards.case) + 1,
+    }.get(name) or settings[name]["points"]
+    wanted = -(-rows * settings["mesh_frequency"]["points"] // POINTS_OF_A_TILE)
+    parts = max(len(gather.map("{scatteritem}")), min(rows, wanted))
+    folder = f"results/{wildcards.case}/maps/tiles/{name}"
+    return [f"{folder}/{part}-of-{parts}.nc" for part in range(1, parts + 1)]
 
 
 def rows_of(stage):
@@ -80,7 +96,7 @@ rule map_temperature:
 
 rule join_map:
     input:
-        tiles=gather.map("results/{{case}}/maps/tiles/{{map}}/{scatteritem}.nc"),
+        tiles=tiles,
     output:
         "results/{case}/maps/{map}.nc",
     log:
