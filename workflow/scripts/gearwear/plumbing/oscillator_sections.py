@@ -11,32 +11,30 @@ from gearwear.plumbing.key_types import Number, ReadNumber, Section, quantity
 
 _Amplitude = Annotated[float, Field(ge=-5.0, le=5.0), ReadNumber]
 _Phase = Annotated[float, Field(ge=-6.2832, le=6.2832), ReadNumber]
+_Amplitudes = Annotated[list[_Amplitude], Strict()]
+_Phases = Annotated[list[_Phase], Strict()]
+
+
+def _amplitudes(of: str) -> Any:
+    return quantity("1", f"Amplitudes of the harmonics 1, 2, ... of {of}; an empty list = none.", max_length=64)
+
+
+def _phases() -> Any:
+    return quantity("rad", "Their phases at mesh phase 0, one for every amplitude.", max_length=64)
 
 
 class StiffnessWaves(Section):
     """Harmonics of the stiffness."""
 
-    amplitudes: Annotated[list[_Amplitude], Strict()] = quantity(
-        "1",
-        "Amplitudes of the harmonics 1, 2, ... of the stiffness over its mean; an empty list = none.",
-        max_length=64,
-    )
-    phases: Annotated[list[_Phase], Strict()] = quantity(
-        "rad", "Their phases at mesh phase 0, one for every amplitude.", max_length=64
-    )
+    amplitudes: _Amplitudes = _amplitudes("the stiffness over its mean")
+    phases: _Phases = _phases()
 
 
 class ErrorWaves(Section):
     """Harmonics of the static transmission error."""
 
-    amplitudes: Annotated[list[_Amplitude], Strict()] = quantity(
-        "1",
-        "Amplitudes of the harmonics 1, 2, ... of the transmission error over the half backlash; an empty list = none.",
-        max_length=64,
-    )
-    phases: Annotated[list[_Phase], Strict()] = quantity(
-        "rad", "Their phases at mesh phase 0, one for every amplitude.", max_length=64
-    )
+    amplitudes: _Amplitudes = _amplitudes("the transmission error over the half backlash")
+    phases: _Phases = _phases()
 
 
 class GivenOscillator(Section):

@@ -34,6 +34,13 @@ _WHOLE_CHAIN = (
     "settling",
 )
 _BOTH_CASES = ("cases.without", "cases.with", "cases.{reference}")
+_ROUTE = (
+    "sweeps.order",
+    "sweeps.mesh_frequency",
+    "branches.largest_step",
+    "branches.most_nodes",
+    "onsets.refinement",
+)
 _HOT_STEEL = (
     "elasticity",
     "material.pinion.youngs_modulus",
@@ -94,15 +101,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     "map_temperature": (*_EXCITED, "maps.mesh_frequency", "maps.temperature"),
     "map_wear": (*_EXCITED, "maps.mesh_frequency"),
     "onsets": (*_MOVED, "sweeps.order", "onsets.refinement"),
-    "measures": (
-        *_WHOLE_CHAIN,
-        *_BOTH_CASES,
-        "sweeps.order",
-        "sweeps.mesh_frequency",
-        "branches.largest_step",
-        "branches.most_nodes",
-        "onsets.refinement",
-    ),
+    "measures": (*_WHOLE_CHAIN, *_BOTH_CASES, *_ROUTE),
     "member_onsets": (
         *_WHOLE_CHAIN,
         *_BOTH_CASES,
@@ -111,17 +110,7 @@ STAGES: dict[str, tuple[str, ...]] = {
         "branches",
         "onsets.refinement",
     ),
-    "outcome": (
-        "dynamics",
-        "settling",
-        "operation.pinion_torque",
-        "operation.pinion_speed",
-        "sweeps.order",
-        "sweeps.mesh_frequency",
-        "branches.largest_step",
-        "branches.most_nodes",
-        "onsets.refinement",
-    ),
+    "outcome": (*_EXCITED, "operation.pinion_speed", *_ROUTE),
     "study": ("sweeps.order", "sweeps.mesh_frequency"),
     "sensitivity": ("sensitivity",),
     "onset_shifts": ("sweeps.order", "onsets.members", "onsets.box"),
