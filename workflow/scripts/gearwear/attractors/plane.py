@@ -19,7 +19,7 @@ COORDINATES = {
     "temperature": "bulk_temperature",
     "wear": "running_cycles",
 }
-_KEPT = (
+KEPT = (
     "motion_class",
     "reason",
     "conflict",
@@ -62,7 +62,7 @@ def tile(
         motions = settle_many(at, begins, settling, dynamics["tolerance"])
         tables.append(columns(motions, settling.sampled_periods, source.force_parameter))
     none = columns([], settling.sampled_periods, 1.0)
-    whole = {key: np.array([table[key][1] for table in tables], dtype=none[key][1].dtype) for key in _KEPT}
+    whole = {key: np.array([table[key][1] for table in tables], dtype=none[key][1].dtype) for key in KEPT}
     return xr.Dataset(
         {key: (("row", "column"), found.reshape(len(rows), len(frequencies))) for key, found in whole.items()},
         {COORDINATES[name]: ("row", rows), "mesh_frequency": ("column", frequencies)},
