@@ -83,6 +83,8 @@ def test_the_chain_in_one_process_gives_the_values_of_the_stages(study, run_stag
         for variable in made.data_vars:
             np.testing.assert_array_equal(state[variable].values, made[variable].values, err_msg=variable)
     assert state["wear_depth"].values.max() > 0
+    with pytest.raises(ValueError, match="the state of the reference case; give it"):
+        last_state(cfg, pair, "with")
 
 
 def test_measures_of_the_coarse_study(measured):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gearwear.dynamics.periodic import Harmonics, PeriodicTable
+from gearwear.dynamics.periodic import Harmonics, PeriodicTable, sum_of_harmonics
 
 
 def test_harmonics_sum():
@@ -57,3 +57,10 @@ def test_bad_harmonics_are_refused(arguments, message):
 def test_bad_tables_are_refused(arguments, message):
     with pytest.raises(ValueError, match=message):
         PeriodicTable(*arguments)
+
+
+def test_a_table_is_no_sum_of_harmonics():
+    wave = Harmonics(1.0, (0.2,), (0.3,))
+    assert sum_of_harmonics(wave) is wave
+    with pytest.raises(ValueError, match="a table, which has no amplitudes; give a number for dynamics.harmonics"):
+        sum_of_harmonics(PeriodicTable((0.0, 1.0), (1.0,), (2.0,)))

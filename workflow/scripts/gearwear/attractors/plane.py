@@ -19,7 +19,7 @@ COORDINATES = {
     "temperature": "bulk_temperature",
     "wear": "running_cycles",
 }
-_KEPT = (
+KEPT = (
     "motion_class",
     "reason",
     "conflict",
@@ -65,7 +65,7 @@ def tile(
             tables.append(
                 _kept(settle_many(at, begins, settling, dynamics["tolerance"]), settling, source.force_parameter)
             )
-    whole = {key: np.concatenate([table[key] for table in tables]) for key in _KEPT}
+    whole = {key: np.concatenate([table[key] for table in tables]) for key in KEPT}
     return xr.Dataset(
         {key: (("row", "column"), found.reshape(len(rows), len(frequencies))) for key, found in whole.items()},
         {COORDINATES[name]: ("row", rows), "mesh_frequency": ("column", frequencies)},
@@ -74,4 +74,4 @@ def tile(
 
 def _kept(motions: list[Attractor], settling: Settling, force_parameter: float) -> dict[str, np.ndarray]:
     table = columns(motions, settling.sampled_periods, force_parameter)
-    return {key: table[key][1] for key in _KEPT}
+    return {key: table[key][1] for key in KEPT}

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from gearwear.attractors import plane
 from gearwear.attractors.settling import Settling, settle
 from gearwear.chain.record import state_at
 from gearwear.dynamics.excitation import Excitation, excitation, rest_state
@@ -18,16 +19,7 @@ from gearwear.onsets import whole_route
 from gearwear.onsets.codes import ORDERS
 from gearwear.plumbing.stage import worded
 
-_COLUMNS = (
-    "motion_class",
-    "reason",
-    "conflict",
-    "period",
-    "lyapunov_exponent",
-    "lyapunov_exponent_error",
-    "contact_loss_share",
-    "force_max",
-)
+_COLUMNS = tuple(name for name in plane.KEPT if name != "transient_periods")
 _WHOLE = ("motion_class", "reason", "conflict", "period")
 _NUMBERS = (
     "natural_speed",
