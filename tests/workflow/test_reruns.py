@@ -93,7 +93,7 @@ def pictures(*names: str) -> set[str]:
     return {f"results/figures/{name}.{kind}" for name in names for kind in ("svg", "png")}
 
 
-def test_second_run_plans_nothing(smoke_run):
+def test_second_run_plans_nothing_though_the_project_was_moved(smoke_run):
     assert smoke_run.planned() == set()
 
 

@@ -1,3 +1,5 @@
+from os.path import relpath
+
 from snakemake.exceptions import WorkflowError
 
 from gearwear.plumbing import orders, settings
@@ -69,6 +71,11 @@ wildcard_constraints:
 scattergather:
     sweep=4,
     map=16,
+
+
+def own(*parts):
+    """A file of the program, from the working directory: where both are moved, results stay up to date."""
+    return relpath(Path(workflow.basedir).joinpath(*parts))
 
 
 def member(root):

@@ -13,19 +13,19 @@ PACKAGES = (
     "snakemake",
     "xarray",
 )
-STYLE = str(Path(workflow.basedir) / "workflow" / "report" / "gearwear.mplstyle")
-TABLE = str(Path(workflow.basedir) / "workflow" / "report" / "table.html.j2")
+STYLE = own("workflow", "report", "gearwear.mplstyle")
+TABLE = own("workflow", "report", "table.html.j2")
 # The default first, each over the ones before it.
 CONFIGURATION_FILES = list(
     dict.fromkeys(
-        str(file)
+        relpath(file)
         for file in (
-            Path(workflow.basedir) / "config" / "config.yaml",
+            own("config", "config.yaml"),
             *workflow.overwrite_configfiles,
         )
     )
 )
-CLAIMS = str(Path(workflow.basedir) / "config" / "paper_claims.yaml")
+CLAIMS = own("config", "paper_claims.yaml")
 
 
 DIAGRAMS = {"mesh_frequency": 12, "ste": 15, "backlash": 17}
@@ -240,7 +240,7 @@ rule show_claims:
         claims=CLAIMS,
         scorecard="results/claims.csv",
         sweeps=main_sweeps(),
-        template=str(Path(workflow.basedir) / "workflow" / "report" / "claims.html.j2"),
+        template=own("workflow", "report", "claims.html.j2"),
     output:
         report(
             "results/claims.html",

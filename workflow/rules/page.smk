@@ -24,8 +24,8 @@ rule show_page:
         geometry=[] if config["oscillators"] else "results/geometry.nc",
         sweeps=main_sweeps(),
         motions=main_sweeps("motions"),
-        template=str(Path(workflow.basedir) / "workflow" / "report" / "page.html.j2"),
-        program=str(Path(workflow.basedir) / "workflow" / "report" / "page.js"),
+        template=own("workflow", "report", "page.html.j2"),
+        program=own("workflow", "report", "page.js"),
     output:
         report(
             "results/page.html",

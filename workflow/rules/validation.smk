@@ -1,4 +1,4 @@
-CHECKS = str(Path(workflow.basedir) / "config" / "validation.yaml")
+CHECKS = own("config", "validation.yaml")
 CHECKED = (
     "geometry",
     "stiffness",
@@ -65,9 +65,7 @@ rule show_validation:
         checks=CHECKS,
         found=expand("results/validation/{group}.csv", group=CHECKED),
         figures=expand("results/validation/{group}.svg", group=CHECKED),
-        template=str(
-            Path(workflow.basedir) / "workflow" / "report" / "validation.html.j2"
-        ),
+        template=own("workflow", "report", "validation.html.j2"),
     output:
         table=report(
             "results/validation/validation.csv",
