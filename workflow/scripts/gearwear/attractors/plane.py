@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from gearwear.attractors.record import columns
-from gearwear.attractors.settling import Settling, settle_many
+from gearwear.attractors.settling import Attractor, Settling, settle_many
 from gearwear.dynamics.excitation import Excitation, rest_state
 from gearwear.dynamics.oscillator import Oscillator
 
@@ -30,6 +30,7 @@ KEPT = (
     "contact_loss_share",
     "force_max",
 )
+_AT_ONCE = 512  # motions, whose histories are in memory together
 
 
 def values(axis: dict[str, Any] | list[float]) -> np.ndarray:
@@ -56,14 +57,21 @@ def tile(
     cfg : the sections `dynamics` and `settling`.
     """
     dynamics, settling = cfg["dynamics"], Settling(**cfg["settling"])
-    tables = []
-    for source, at in oscillators:
-        begins = [rest_state(source, oscillator, dynamics) for oscillator in at]
-        motions = settle_many(at, begins, settling, dynamics["tolerance"])
-        tables.append(columns(motions, settling.sampled_periods, source.force_parameter))
-    none = columns([], settling.sampled_periods, 1.0)
-    whole = {key: np.array([table[key][1] for table in tables], dtype=none[key][1].dtype) for key in KEPT}
+    tables = [_kept([], settling, 1.0)]
+    for source, row in oscillators:
+        for first in range(0, len(row), _AT_ONCE):
+            at = row[first : first + _AT_ONCE]
+            begins = [rest_state(source, oscillator, dynamics) for oscillator in at]
+            tables.append(
+                _kept(settle_many(at, begins, settling, dynamics["tolerance"]), settling, source.force_parameter)
+            )
+    whole = {key: np.concatenate([table[key] for table in tables]) for key in KEPT}
     return xr.Dataset(
         {key: (("row", "column"), found.reshape(len(rows), len(frequencies))) for key, found in whole.items()},
         {COORDINATES[name]: ("row", rows), "mesh_frequency": ("column", frequencies)},
     )
+
+
+def _kept(motions: list[Attractor], settling: Settling, force_parameter: float) -> dict[str, np.ndarray]:
+    table = columns(motions, settling.sampled_periods, force_parameter)
+    return {key: table[key][1] for key in KEPT}
