@@ -7,6 +7,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from gearwear.dynamics import compiled
 
 RUN = """
@@ -55,6 +57,19 @@ def test_folder_that_cannot_be_made_is_replaced(tmp_path, monkeypatch):
     folder = compiled.cache_folder({"GEARWEAR_CACHE": str(tmp_path / "file")}, "abc")
     assert folder.is_dir()
     assert folder == tmp_path / f"gearwear-{os.getuid()}" / "numba" / "abc"
+
+
+@pytest.mark.parametrize(
+    "spoil", [lambda base: base.chmod(0o777), lambda base: (base.rmdir(), base.symlink_to("/tmp"))]
+)
+def test_machine_code_in_a_folder_of_others_is_not_run(spoil, tmp_path, monkeypatch):
+    (tmp_path / "file").write_text("")
+    monkeypatch.setattr(compiled.tempfile, "tempdir", str(tmp_path))
+    base = tmp_path / f"gearwear-{os.getuid()}"
+    base.mkdir(mode=0o700)
+    spoil(base)
+    with pytest.raises(ValueError, match=f"{base}: .*GEARWEAR_CACHE"):
+        compiled.cache_folder({"GEARWEAR_CACHE": str(tmp_path / "file")}, "abc")
 
 
 def test_a_copy_of_the_program_finds_the_machine_code_and_another_program_does_not(tmp_path):

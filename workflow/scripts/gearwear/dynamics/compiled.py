@@ -9,6 +9,7 @@ compiled in strict IEEE arithmetic: results are bit-equal from a cold and a warm
 import functools
 import hashlib
 import os
+import stat
 import tempfile
 from pathlib import Path
 
@@ -24,7 +25,12 @@ def source_digest(folder: Path) -> str:
 
 
 def cache_folder(environment: dict[str, str], digest: str) -> Path:
-    """Writable folder of the machine code: GEARWEAR_CACHE, else the user's cache, else a temporary folder."""
+    """Writable folder of the machine code: GEARWEAR_CACHE, else the user's cache, else a temporary folder.
+
+    Raises
+    ------
+    ValueError : the temporary folder is not the user's alone.
+    """
     if environment.get("GEARWEAR_CACHE"):
         base = Path(environment["GEARWEAR_CACHE"])
     elif environment.get("XDG_CACHE_HOME"):
@@ -37,7 +43,16 @@ def cache_folder(environment: dict[str, str], digest: str) -> Path:
         with tempfile.TemporaryFile(dir=folder):
             return folder
     except OSError:
-        folder = Path(tempfile.gettempdir(), f"gearwear-{os.getuid()}", "numba", digest)
+        base = Path(tempfile.gettempdir(), f"gearwear-{os.getuid()}")
+        base.mkdir(mode=0o700, exist_ok=True)
+        found = base.lstat()
+        # What lies there is run, and anybody may have made a folder of this name before.
+        if not stat.S_ISDIR(found.st_mode) or found.st_uid != os.getuid() or found.st_mode & 0o022:
+            raise ValueError(
+                f"{base}: others may write to it, so machine code in it cannot be trusted; give a folder of your own "
+                "in the environment variable GEARWEAR_CACHE"
+            ) from None
+        folder = base / "numba" / digest
         folder.mkdir(parents=True, exist_ok=True)
         return folder
 
