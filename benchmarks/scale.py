@@ -1,12 +1,14 @@
-"""Long wear chains and large maps, planned and run: `python benchmarks/scale.py [chains] [maps] [million]`.
+"""Long wear chains and large maps, planned and run: `python benchmarks/scale.py [chains] [tiles] [maps] [million]`.
 
-`chains`: 500 wear cycles by single links and in blocks. `maps`: 1e4 and 1e5 points as tiles. `million`: 1e6 points as
-tiles, with motions of 24 mesh periods after one, which have not settled, so that the run ends within the hour; its
-files have the size of any others. Grid and settling are else those of the smoke settings. Wall and processor seconds
-are those of snakemake and its jobs together, memory that of the largest process; plans are medians of repeats.
+`chains`: 500 wear cycles by single links and in blocks. `tiles`: one tile of maps of 1e4, 1e5 and 1e6 points, and what
+all would take. `maps`: all of 1e4 and 1e5 points. `million`: all of 1e6 points, with motions of 24 mesh periods after
+one, which have not settled, so that the run ends within the hour; its files have the size of any others. Grid and
+settling are else those of the smoke settings. Wall and processor seconds are those of snakemake and its jobs together,
+memory that of the largest process; plans are medians of repeats.
 """
 
 import argparse
+import math
 import os
 import statistics
 import subprocess
@@ -26,6 +28,7 @@ SHORT = {
     "dynamics": {"start": {"at": "pair_entry"}},
 }
 CYCLES, SOME = 500, 10
+FIGURE, MADE = "results/figures/map_ste.svg", "results/without/backlash/q000.nc"
 STAGES = ("wear", "mesh_stiffness", "transmission_error", "backlash", "response")
 
 
@@ -85,23 +88,43 @@ def chains(folder: Path, repeats: int) -> None:
     print(f"{sum(same)} of {len(files)} files have the same bytes in all three", flush=True)
 
 
+def planned(folder: Path, side: int, settings: dict, repeats: int) -> dict:
+    """Plan a map of side x side points and return its settings."""
+    settings = settings | {"maps": {"case": "without", "mesh_frequency": {"points": side}, "ste": {"points": side}}}
+    plans = [cost(folder, settings, "-n", "--", FIGURE) for _ in range(repeats)]
+    wall, cpu, memory = (statistics.median(column) for column in zip(*plans, strict=True))
+    print(f"plan {side} x {side} points: {wall:.1f} s, cpu {cpu:.1f} s, {memory:.0f} MB", flush=True)
+    cost(folder, settings, "-j2", "--", MADE)
+    return settings
+
+
+def tiles(folder: Path, repeats: int) -> None:
+    for side in (100, 316, 1000):
+        settings, parts = planned(folder, side, {}, repeats), max(16, math.ceil(side**2 / 5000))
+        tile = f"results/without/maps/tiles/ste/{parts // 2}-of-{parts}.nc"
+        none = cost(folder, settings, "-n", "--", tile)
+        used = cost(folder, settings, "-j1", "--", tile)
+        each = used.cpu - none.cpu
+        print(
+            f"  one of {parts} tiles: cpu {each:.1f} s, {1000 * each * parts / side**2:.2f} ms a point, "
+            f"{used.memory:.0f} MB; all: cpu {parts * each:.0f} s",
+            flush=True,
+        )
+
+
 def maps(folder: Path, repeats: int, sides: tuple[int, ...], settings: dict) -> None:
-    figure, made = "results/figures/map_ste.svg", "results/without/backlash/q000.nc"
     for side in sides:
-        axes = {"case": "without", "mesh_frequency": {"points": side}, "ste": {"points": side}}
-        place, own = folder / f"map{side}", settings | {"maps": axes}
-        plans = [cost(place, own, "-n", "--", figure) for _ in range(repeats)]
-        wall, cpu, memory = (statistics.median(column) for column in zip(*plans, strict=True))
-        print(f"plan {side} x {side} points: {wall:.1f} s, cpu {cpu:.1f} s, {memory:.0f} MB", flush=True)
-        cost(place, own, "-j2", "--", made)
+        place = folder / f"map{side}"
+        own = planned(place, side, settings, repeats)
         for name, end in (("tiles", ("--until", "map_tile")), ("gather", ("--until", "join_map")), ("figure", ())):
-            used = cost(place, own, "-j2", *end, "--", figure)
+            used = cost(place, own, "-j2", *end, "--", FIGURE)
             share = f", {1000 * used.cpu / side**2:.2f} ms a point" if name == "tiles" else ""
             print(f"  {name}: {used.wall:.1f} s, cpu {used.cpu:.1f} s{share}, {used.memory:.0f} MB", flush=True)
 
 
 PARTS = {
     "chains": chains,
+    "tiles": tiles,
     "maps": partial(maps, sides=(100, 316), settings={}),
     "million": partial(maps, sides=(1000,), settings=SHORT),
 }
@@ -114,6 +137,6 @@ if __name__ == "__main__":
     )
     parser.add_argument("--repeats", type=int, default=3)
     options = parser.parse_args()
-    for part in options.parts or ("chains", "maps"):
+    for part in options.parts or ("chains", "tiles"):
         with tempfile.TemporaryDirectory() as name:
             PARTS[part](Path(name), options.repeats)
