@@ -57,12 +57,23 @@ def long(request):
     return request.config.getoption("--long")
 
 
+@pytest.fixture(scope="session")
+def filled(smoke_run):
+    """Return a function that fills a folder with the results of the smoke run, beside the program."""
+
+    def fill(folder: Path) -> Path:
+        shutil.copytree(smoke_run.folder / "results", folder / "results", dirs_exist_ok=True)
+        for name in ("config", "workflow"):
+            (folder / name).symlink_to(smoke_run.folder / name)
+        return folder
+
+    return fill
+
+
 @pytest.fixture(scope="module")
-def copied(smoke_run, tmp_path_factory):
+def copied(filled, tmp_path_factory):
     """A folder with a copy of the results of the smoke run."""
-    folder = tmp_path_factory.mktemp("copied")
-    shutil.copytree(smoke_run.folder / "results", folder / "results")
-    return folder
+    return filled(tmp_path_factory.mktemp("copied"))
 
 
 @pytest.fixture

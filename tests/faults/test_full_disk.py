@@ -1,7 +1,6 @@
 """A disk that is full or read-only: the reason is said, nothing half-written stays, and with room the run goes on."""
 
 import os
-import shutil
 import subprocess
 from pathlib import Path
 
@@ -25,11 +24,10 @@ def fill(folder: Path, room: int) -> Path:
 
 
 @pytest.fixture
-def on_small_disk(smoke_run, small_disk, monkeypatch):
+def on_small_disk(filled, small_disk, monkeypatch):
     """The results of the smoke run on a disk of 48 MB, below the current folder."""
     results = small_disk("results", "48m")
-    shutil.copytree(smoke_run.folder / "results", results, dirs_exist_ok=True)
-    monkeypatch.chdir(results.parent)
+    monkeypatch.chdir(filled(results.parent))
     return results
 
 
