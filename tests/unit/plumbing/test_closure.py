@@ -8,7 +8,6 @@ import pytest
 
 from gearwear.plumbing import closure as module
 from gearwear.plumbing.closure import SCRIPTS, closure, digest
-from gearwear.plumbing.outlines import outline
 
 ROOT = SCRIPTS.parents[1]
 PACKAGE = sorted((SCRIPTS / "gearwear").rglob("*.py"))
@@ -34,7 +33,7 @@ def tree(tmp_path):
 
 
 def digest_of(tree):
-    for cached in (module._files, module._neighbours, outline, digest):
+    for cached in (module._files, module._neighbours, module._stripped, module._text, digest):
         cached.cache_clear()
     return digest(tree / "stage.py", tree)
 
@@ -169,7 +168,14 @@ def test_stages_see_only_their_slice_of_the_configuration(path):
     assert not re.search(r"\b(snakemake|job)\s*\.\s*config\b", path.read_text())
 
 
-def test_stages_do_not_import_one_another_but_where_one_stands_for_many():
+def test_stages_do_not_import_one_another_but_for_the_block_that_is_made_of_them():
     stems = {path.stem for path in STAGES}
-    importers = {path.stem for path in STAGES if stems & {name for _, name in imports(path)}}
-    assert importers == {"run_block"}
+    found = {path.stem: stems & {name.partition(".")[0] for _, name in imports(path)} for path in STAGES}
+    links = {"advance_wear", "build_stiffness", "share_load", "open_backlash", "solve_response"}
+    assert {stem: others for stem, others in found.items() if others} == {"run_block": links}
+
+
+def test_the_digest_of_a_block_changes_with_every_stage_in_it():
+    block = set(closure(SCRIPTS / "run_block.py"))
+    for name in ("advance_wear", "build_stiffness", "share_load", "open_backlash", "solve_response"):
+        assert set(closure(SCRIPTS / f"{name}.py")) <= block
