@@ -8,6 +8,7 @@ import pytest
 
 from gearwear.plumbing import closure as module
 from gearwear.plumbing.closure import SCRIPTS, closure, digest
+from gearwear.plumbing.outlines import outline
 
 ROOT = SCRIPTS.parents[1]
 PACKAGE = sorted((SCRIPTS / "gearwear").rglob("*.py"))
@@ -33,7 +34,7 @@ def tree(tmp_path):
 
 
 def digest_of(tree):
-    for cached in (module._files, module._neighbours, module._stripped, module._text, digest):
+    for cached in (module._files, module._neighbours, outline, digest):
         cached.cache_clear()
     return digest(tree / "stage.py", tree)
 
