@@ -49,7 +49,7 @@ def job_times(folder: Path) -> list[float]:
 
 
 def main(repeats: int) -> None:
-    study = [*snakemake("-s", ROOT / "Snakefile", "--configfile", *SMOKE), "all"]
+    study = snakemake("all", "-s", ROOT / "Snakefile", "--configfile", *SMOKE)
     with tempfile.TemporaryDirectory() as name:
         ours, plain = Path(name, "study"), Path(name, "trivial")
         for folder in (ours, plain):
