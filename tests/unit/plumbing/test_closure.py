@@ -34,7 +34,7 @@ def tree(tmp_path):
 
 
 def digest_of(tree):
-    for cached in (module._files, module._neighbours, outline, digest):
+    for cached in (module._modules, module._files, module._neighbours, outline, digest):
         cached.cache_clear()
     return digest(tree / "stage.py", tree)
 

@@ -54,4 +54,9 @@ def _files(name: str, root: Path) -> tuple[Path, ...]:
     parts = name.split(".")
     stems = [root.joinpath(*parts[:depth]) for depth in range(1, len(parts) + 1)]
     candidates = [file for stem in stems for file in (stem.with_suffix(".py"), stem / "__init__.py")]
-    return tuple(file for file in candidates if file.is_file())
+    return tuple(file for file in candidates if file in _modules(root))
+
+
+@lru_cache(None)
+def _modules(root: Path) -> frozenset[Path]:
+    return frozenset(root.rglob("*.py"))

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Mapping
-from functools import lru_cache
+from collections.abc import Callable, Mapping
+from functools import cache, partial
 from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
@@ -76,7 +76,7 @@ def _read_section(model: type[Section], raw: Any, path: tuple, problems: list[Pr
     values = {}
     for name, field in fields.items():
         if name in found:
-            values[name] = _read_key(field, found[name], (*path, name), problems)
+            values[name] = _readers(model)[name](found[name], (*path, name), problems)
         elif isinstance(raw, Mapping) and field.is_required():
             problems.append(((*path, name), _missing(field)))
     return _usable(values)
@@ -96,12 +96,17 @@ def _read_table(field: FieldInfo, raw: Any, path: tuple, problems: list[Problem]
     return _usable(values) if isinstance(raw, Mapping) else _UNUSABLE
 
 
-def _read_key(field: FieldInfo, raw: Any, path: tuple, problems: list[Problem]) -> Any:
+@cache
+def _readers(model: type[Section]) -> dict[str, Callable[[Any, tuple, list[Problem]], Any]]:
+    return {name: _reader(field) for name, field in model.model_fields.items()}
+
+
+def _reader(field: FieldInfo) -> Callable[[Any, tuple, list[Problem]], Any]:
     if is_section(field.annotation):
-        return _read_section(field.annotation, raw, path, problems)
+        return partial(_read_section, field.annotation)
     if entry_type(field.annotation) is not None:
-        return _read_table(field, raw, path, problems)
-    return _read_value(adapter_of(field), unit_of(field), raw, path, problems)
+        return partial(_read_table, field)
+    return partial(_read_value, adapter_of(field), unit_of(field))
 
 
 def _read_value(reader: TypeAdapter, unit: str | None, raw: Any, path: tuple, problems: list[Problem]) -> Any:
@@ -177,6 +182,6 @@ def _unknown(key: Any, path: tuple, siblings: list[str]) -> str:
     return f"unknown key ({' '.join(hints)})" if hints else f"unknown key; the keys here are {listed(siblings)}"
 
 
-@lru_cache(maxsize=1)
+@cache
 def _places() -> tuple[tuple[str, ...], ...]:
     return tuple(path for path, _ in keys(Configuration))
