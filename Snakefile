@@ -13,7 +13,7 @@ gc.set_threshold(100_000)
 
 sys.path.insert(0, str(Path(workflow.basedir) / "workflow" / "scripts"))
 
-from gearwear.plumbing import targets
+from gearwear.plumbing import outlines, targets
 
 # Before anything is read or locked: help works beside a run and with a wrong configuration.
 if targets.asked(sys.argv[1:]):
@@ -43,6 +43,10 @@ include: "workflow/rules/validation.smk"
 include: "workflow/rules/calibration.smk"
 include: "workflow/rules/handover.smk"
 include: "workflow/rules/page.smk"
+
+
+if workflow.is_main_process:
+    outlines.remember()
 
 
 rule all:

@@ -17,6 +17,7 @@ from gearwear.plumbing import outlines
 read, parsed = outlines._read, []
 outlines._read = lambda content: parsed.append(1) or read(content)
 found = outlines.outline(Path("module.py"))
+outlines.remember()
 print(found.digest, *found.imports, len(parsed))
 """
 

@@ -7,7 +7,6 @@ in the working directory, by the content of the module.
 from __future__ import annotations
 
 import ast
-import atexit
 import hashlib
 import json
 import sys
@@ -20,6 +19,7 @@ from typing import NamedTuple
 from gearwear.plumbing.writing import atomic
 
 REMEMBERED = Path(".snakemake") / "outlines.json"
+_NEW: list[str] = []
 
 
 class Outline(NamedTuple):
@@ -36,8 +36,16 @@ def outline(path: Path) -> Outline:
     known, name = _known(), hashlib.sha256(content).hexdigest()
     if name not in known:
         known[name] = _read(content)
-        _remember_at_the_end()
+        _NEW.append(name)
     return known[name]
+
+
+def remember() -> None:
+    """Keep what was read for the jobs of this run and the next command; without a place to write, they parse again."""
+    if _NEW:
+        with suppress(OSError, ValueError), atomic(REMEMBERED) as temporary:
+            Path(temporary).write_text(json.dumps({"reader": _reader(), "modules": _known()}), encoding="utf-8")
+        _NEW.clear()
 
 
 def _read(content: bytes) -> Outline:
@@ -76,14 +84,3 @@ def _known() -> dict[str, Outline]:
         if kept["reader"] == _reader():
             return {name: Outline(digest, tuple(imports)) for name, (digest, imports) in kept["modules"].items()}
     return {}
-
-
-@cache
-def _remember_at_the_end() -> None:
-    atexit.register(_remember)
-
-
-def _remember() -> None:
-    # Where nothing can be written, the next command parses again.
-    with suppress(OSError, ValueError), atomic(REMEMBERED) as temporary:
-        Path(temporary).write_text(json.dumps({"reader": _reader(), "modules": _known()}), encoding="utf-8")
