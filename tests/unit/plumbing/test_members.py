@@ -1,5 +1,6 @@
 """Members of studies: what they override, what they keep, and bad overrides."""
 
+import copy
 from pathlib import Path
 
 import pytest
@@ -63,6 +64,13 @@ def test_a_member_differs_from_the_study_in_its_overrides_only(study):
     assert member["cases"]["with"] == {"bulk_temperature": 120.0, "running_cycles": 2_100_000_000, "flash": True}
     member["cases"]["with"]["bulk_temperature"] = 100.0
     assert member == {**config, "studies": {}}
+
+
+def test_sections_that_a_member_shares_with_the_study_need_no_second_reading(study):
+    config = study(heat={"t120": {"cases": {"with": {"bulk_temperature": 120}}}})
+    anew = copy.deepcopy({**config, "studies": {}})
+    anew["cases"]["with"]["bulk_temperature"] = 120
+    assert members(config)["studies/heat/t120/"] == check(anew)
 
 
 def test_overrides_are_read_like_any_configuration(study):

@@ -26,8 +26,7 @@ def digest(script: str | Path, root: str | Path = SCRIPTS) -> str:
     """
     total = hashlib.sha256()
     for path in closure(Path(script), Path(root)):
-        name = path.relative_to(root) if path.is_relative_to(root) else path.name
-        total.update(f"{name}\0{outline(path).digest}\0".encode())
+        total.update(_entry(path, Path(root)))
     return total.hexdigest()[:16]
 
 
@@ -37,26 +36,33 @@ def closure(script: Path, root: Path = SCRIPTS) -> list[Path]:
     todo = [script]
     while todo:
         path = todo.pop()
-        if path in found:
-            continue
-        found.add(path)
-        todo += _neighbours(path, root)
+        if path not in found:
+            found.add(path)
+            todo += _neighbours(path, root)
     return sorted(found)
 
 
 @lru_cache(None)
+def _entry(path: Path, root: Path) -> bytes:
+    name = path.relative_to(root) if path.is_relative_to(root) else path.name
+    return f"{name}\0{outline(path).digest}\0".encode()
+
+
+@lru_cache(None)
 def _neighbours(path: Path, root: Path) -> tuple[Path, ...]:
-    return tuple(sorted({file for name in outline(path).imports for file in _files(name, root)}))
+    return tuple({file for name in outline(path).imports for file in _files(name, root)})
 
 
 @lru_cache(None)
 def _files(name: str, root: Path) -> tuple[Path, ...]:
+    """Return the files of a dotted name: its module and the packages that this lies in."""
     parts = name.split(".")
-    stems = [root.joinpath(*parts[:depth]) for depth in range(1, len(parts) + 1)]
-    candidates = [file for stem in stems for file in (stem.with_suffix(".py"), stem / "__init__.py")]
-    return tuple(file for file in candidates if file in _modules(root))
+    stems = (".".join(parts[:depth]) for depth in range(1, len(parts) + 1))
+    return tuple(_modules(root)[stem] for stem in stems if stem in _modules(root))
 
 
 @lru_cache(None)
-def _modules(root: Path) -> frozenset[Path]:
-    return frozenset(root.rglob("*.py"))
+def _modules(root: Path) -> dict[str, Path]:
+    """Return the files of all modules and packages below `root`, by dotted name."""
+    files = {file.relative_to(root).with_suffix("").parts: file for file in root.rglob("*.py")}
+    return {".".join(parts).removesuffix(".__init__"): file for parts, file in files.items()}

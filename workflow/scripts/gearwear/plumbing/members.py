@@ -40,7 +40,7 @@ def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
                 problems.append((root, (("studies",), "a member has no studies of its own; take them out")))
                 continue
             try:
-                found[root] = check(merged({**config, "studies": {}}, overrides))
+                found[root] = check(merged({**config, "studies": {}}, overrides), config)
             except ConfigError as error:
                 if study == variations.STUDY or config["studies"].get(study, {}).get("grid"):
                     continue
@@ -53,7 +53,7 @@ def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
 def hindrance(config: dict[str, Any], overrides: Overrides) -> str:
     """Return why the configuration with these overrides is refused, one problem after another; "" if it is not."""
     try:
-        check(merged({**config, "studies": {}}, overrides))
+        check(merged({**config, "studies": {}}, overrides), config)
     except ConfigError as error:
         return "; ".join(f"{dotted(path)}: {text}" for _, (path, text) in error.problems)
     return ""

@@ -19,6 +19,7 @@ from gearwear.plumbing.wording import allowed, dotted, listed, refusal, shown, w
 _MOST_LINES = 200
 _LONGEST_KEY = 60
 _UNUSABLE = object()
+_NOTHING: Mapping[str, Any] = {}
 
 
 class ConfigError(ValueError):
@@ -34,7 +35,7 @@ class ConfigError(ValueError):
         self.problems = problems
 
 
-def check(raw: Any) -> dict[str, Any]:
+def check(raw: Any, checked: Mapping[str, Any] | None = None) -> dict[str, Any]:
     """Return the configuration as nested dicts of builtin values, keys in the order of the models.
 
     What is null and follows from other values gets its number (`gearwear.plumbing.derived`).
@@ -43,13 +44,14 @@ def check(raw: Any) -> dict[str, Any]:
     Parameters
     ----------
     raw : the configuration as read from YAML, overlays merged.
+    checked : a result of this function; sections that `raw` shares with it are not read again.
 
     Raises
     ------
     ConfigError : with path, value, allowed values with unit, and remedy for every bad key.
     """
     problems: list[Problem] = []
-    values = _read_section(Configuration, raw, (), problems)
+    values = _read_section(Configuration, raw, (), problems, checked or _NOTHING)
     if not problems:
         values = derived.resolved(values)
     told = {path[:depth] for path, _ in problems for depth in range(len(path) + 1)}
@@ -69,13 +71,17 @@ def _message(problems: list[tuple[str, Problem]]) -> str:
     return "\n".join(lines)
 
 
-def _read_section(model: type[Section], raw: Any, path: tuple, problems: list[Problem]) -> dict[str, Any]:
+def _read_section(
+    model: type[Section], raw: Any, path: tuple, problems: list[Problem], checked: Mapping[str, Any] = _NOTHING
+) -> dict[str, Any]:
     fields = model.model_fields
     found = _grouped(raw, path, f"give the keys {listed(list(fields))} below it", problems)
     problems.extend(((*path, key), _unknown(key, path, list(fields))) for key in found if key not in fields)
     values = {}
     for name, field in fields.items():
-        if name in found:
+        if name in found and found[name] is checked.get(name, _UNUSABLE):
+            values[name] = found[name]
+        elif name in found:
             values[name] = _readers(model)[name](found[name], (*path, name), problems)
         elif isinstance(raw, Mapping) and field.is_required():
             problems.append(((*path, name), _missing(field)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import linecache
 import logging
 import sys
@@ -34,6 +35,7 @@ def logged(job, script: str) -> Iterator[None]:
     script : path of the script.
     """
     end_with_workflow()
+    sys.modules.setdefault("pint", None)  # no array is of its kind, and xarray would import it to ask
     with _opened(job.log[0]) as stream:
         keep = sys.stdout, sys.stderr
         sys.stdout = sys.stderr = stream
@@ -60,6 +62,9 @@ def logged(job, script: str) -> Iterator[None]:
         finally:
             log.removeHandler(handler)
             sys.stdout, sys.stderr = keep
+            if sys.modules["pint"] is None:
+                del sys.modules["pint"]
+            gc.freeze()  # the process ends here: what is left needs no search for garbage
 
 
 def worded(error: ValueError) -> bool:
