@@ -62,13 +62,17 @@ def main(repeats: int) -> None:
         trivial = [*snakemake(), "all"]
         seconds(*trivial, cwd=plain)
         pairs = [(seconds(*study, cwd=ours), seconds(*trivial, cwd=plain)) for _ in range(repeats)]
-        bare = statistics.median(seconds(sys.executable, "-c", "pass", cwd=plain) for _ in range(5))
+        bare, libraries = (
+            statistics.median(seconds(sys.executable, "-c", code, cwd=plain) for _ in range(9))
+            for code in ("pass", "from snakemake import script; import xarray, netCDF4")
+        )
     light = statistics.median(sorted(times)[: max(len(times) // 4, 1)])
     ratio = statistics.median(a / b for a, b in pairs)
     print(
         f"a run of {len(times)} jobs on {CORES} processors: {whole:.1f} s ({warm:.1f} s when the kernels are compiled)"
     )
     print(f"lightest quarter of the jobs: {light:.2f} s a job, {light - bare:.2f} s over a bare Python ({bare:.2f} s)")
+    print(f"the imports of any job with Snakemake and xarray alone: {libraries - bare:.2f} s over a bare Python")
     print(f"nothing to do: {pairs[0][0]:.1f} s, {ratio:.2f} times {len(times)} trivial jobs ({pairs[0][1]:.1f} s)")
     print(f"neither import nor computation: {100 * (1 - sum(times) / (CORES * whole)):.0f} % of the processors' time")
 

@@ -35,8 +35,7 @@ def logged(job, script: str) -> Iterator[None]:
     script : path of the script.
     """
     end_with_workflow()
-    sys.modules.setdefault("pint", None)  # no array is of its kind, and xarray would import it to ask
-    with _opened(job.log[0]) as stream:
+    with _opened(job.log[0]) as stream, _hidden("pint"):  # xarray asks of every array whether it is of its kind
         keep = sys.stdout, sys.stderr
         sys.stdout = sys.stderr = stream
         handler = _Handler(stream)
@@ -62,8 +61,6 @@ def logged(job, script: str) -> Iterator[None]:
         finally:
             log.removeHandler(handler)
             sys.stdout, sys.stderr = keep
-            if sys.modules["pint"] is None:
-                del sys.modules["pint"]
             gc.freeze()  # the process ends here: what is left needs no search for garbage
 
 
@@ -78,6 +75,19 @@ def announce(sentence: str) -> None:
     """Say `sentence` in the log and on the screen."""
     log.info("%s", sentence)
     print(sentence, file=sys.__stdout__, flush=True)
+
+
+@contextmanager
+def _hidden(module: str) -> Iterator[None]:
+    """Let imports of `module`, if there were none, find nothing: the library that asks for it can do without."""
+    hide = module not in sys.modules
+    if hide:
+        sys.modules[module] = None  # type: ignore[assignment]
+    try:
+        yield
+    finally:
+        if hide:
+            del sys.modules[module]
 
 
 class _Handler(logging.StreamHandler):
