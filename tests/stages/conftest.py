@@ -5,7 +5,9 @@ import importlib
 from pathlib import Path
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
+import xarray as xr
 import yaml
 
 from gearwear.plumbing import settings, store
@@ -117,3 +119,78 @@ def states(study, run_chain):
         return dict(made[case])
 
     return of
+
+
+@pytest.fixture(scope="session")
+def write_response(tmp_path_factory):
+    """Return a function that writes a response of given mesh force (N), shape (periods, n), along the path."""
+
+    def write(geometry, force):
+        output = tmp_path_factory.mktemp("response") / "response.nc"
+        values = {"mesh_force_path": (("response_period", "path"), np.atleast_2d(force))}
+        job = SimpleNamespace(
+            rule="solve_response",
+            input={},
+            output=[str(output)],
+            params=SimpleNamespace(cfg={}, code="0" * 16),
+        )
+        store.save(xr.Dataset(values, {"path": geometry["path"]}), job)
+        return output
+
+    return write
+
+
+@pytest.fixture(scope="session")
+def write_wear(tmp_path_factory):
+    """Return a function that writes a wear file with given depths (m), shape (2, n)."""
+
+    def write(geometry, depth):
+        output = tmp_path_factory.mktemp("wear") / "wear.nc"
+        along = ("gear", "path")
+        values = {"wear_depth": (along, depth), "wear_per_revolution": (along, 0 * depth), "running_cycles": 1e8}
+        job = SimpleNamespace(
+            rule="advance_wear", input={}, output=[str(output)], params=SimpleNamespace(cfg={}, code="0" * 16)
+        )
+        store.save(xr.Dataset(values, {"path": geometry["path"], "gear": geometry["gear"]}), job)
+        return output
+
+    return write
+
+
+@pytest.fixture(scope="session")
+def worn(states, write_wear, loaded):
+    """Return a function that gives the files of a case whose flanks are worn like a run-in pair, up to 10 um."""
+
+    def of(case):
+        files = states(case)
+        geometry = loaded(files, "geometry")
+        path, pitch = geometry["path"].values, float(geometry["pitch_point"])
+        shape = 10e-6 * abs(path - pitch) / (pitch - path[0])
+        files["wear"] = write_wear(geometry, np.stack([shape * np.where(path < pitch, 1.0, 0.3), 0.2 * shape]))
+        return files
+
+    return of
+
+
+@pytest.fixture(scope="session")
+def rerun(study, run_stage):
+    """Return a function that runs one stage on the given files under changed settings."""
+
+    def run(stage, case, files, **changes):
+        changed = {name.replace("__", "."): value for name, value in changes.items()}
+        return store.load(run_stage(stage, study(changed), case, files))
+
+    return run
+
+
+@pytest.fixture
+def advance(rerun, write_response, loaded):
+    """Return a function that wears the flanks by one block under a given mesh force; default the static one."""
+
+    def run(files, case="with", force=None, **changes):
+        geometry = loaded(files, "geometry")
+        if force is None:
+            force = np.full(geometry.sizes["path"], 130.0 / float(geometry["base_radius"][0]))
+        return rerun("advance_wear", case, files | {"response": write_response(geometry, force)}, **changes)
+
+    return run
