@@ -81,6 +81,14 @@ def test_a_file_of_other_wear_or_stiffness_is_named(state, write):
     refused("without/transmission_error/q000.nc: made of another file than results/without/mesh_stiff", **state)
 
 
+def test_branches_of_another_excitation_are_named(write):
+    excitation = write("with/excitation.nc", "build_excitation", "x1")
+    branches = write("with/branches/ste.nc", "continue_orbits", "b", {"excitation": "x1"})
+    belonging.check(job(branches=branches, excitation=excitation))
+    write("with/excitation.nc", "build_excitation", "x2")
+    refused(f"{branches}: made of another file than {excitation}", branches=branches, excitation=excitation)
+
+
 def test_another_grid_is_named(state, write):
     write("with/wear/q001.nc", "advance_wear", "w1", {"geometry": "g"}, path=10)
     refused("with/wear/q001.nc: 10 points of path, results/geometry.nc has 9", **state)

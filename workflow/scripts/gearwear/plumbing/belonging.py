@@ -16,7 +16,16 @@ from gearwear.plumbing import store
 _REMEDY = "delete it and run the workflow again"
 
 # Inputs that describe one state of the flanks; of the reference case, the names that its own files know them by.
-_STATE = ("geometry", "temperature", "deformation", "wear", "mesh_stiffness", "transmission_error", "backlash")
+_STATE = (
+    "geometry",
+    "temperature",
+    "deformation",
+    "wear",
+    "mesh_stiffness",
+    "transmission_error",
+    "backlash",
+    "excitation",
+)
 _REFERENCE = {"geometry": "geometry", "reference_stiffness": "mesh_stiffness", "reference_error": "transmission_error"}
 
 
