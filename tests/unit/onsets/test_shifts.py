@@ -1,4 +1,4 @@
-"""Shifts: pairs of cases computed alike, half ranges, and the statistics of the members."""
+"""Shifts: pairs of cases computed alike, errors that hold every way, and the statistics of the members."""
 
 import numpy as np
 import pytest
@@ -67,34 +67,43 @@ def test_a_way_that_moves_both_cases_alike_is_no_error(compared):
     assert errors(compared(variants=later))["total"] == pytest.approx(np.zeros(4), abs=1e-15)
 
 
-def test_each_contribution_is_half_the_range_over_its_ways(compared):
+def test_each_contribution_is_how_far_its_ways_lead_from_the_usual_one(compared):
     changed = (
         {"up": [1.04, 1.19, 1.27, 1.29], "halved_step": [1.04, 1.19, 1.27, 1.28]},
         {"down": [1.02, 1.16, 1.23, 1.25], "Dormand-Prince": [1.00, 1.161, 1.23, 1.25]},
     )
     found = errors(compared(variants=changed))
-    assert found["start"] == pytest.approx([0.01, 0, 0, 0.005])
-    assert found["step"] == pytest.approx([0, 0, 0, 0.01])
-    assert found["integrator"] == pytest.approx([0, 0.0005, 0, 0])
+    assert found["start"] == pytest.approx([0.02, 0, 0, 0.01])
+    assert found["step"] == pytest.approx([0, 0, 0, 0.02])
+    assert found["integrator"] == pytest.approx([0, 0.001, 0, 0])
     assert found["settling"] == pytest.approx(np.zeros(4), abs=1e-15)
-    assert found["total"] == pytest.approx([0.01, 0.0005, 0, 0.01])
+    assert found["total"] == pytest.approx([0.02, 0.001, 0, 0.02])
+
+
+def test_the_bar_of_the_shift_holds_every_way_also_the_usual_sweep_past_the_doubling(compared):
+    table = compared(variants=({"restart": [1.06, 1.19, 1.27, 1.30], "down": [1.02, 1.19, 1.27, 1.30]}, {}))
+    ways, shift = table["variant_shift"].values, table["onset_shift"].values
+    assert (abs(ways - shift) <= errors(table)["total"] + 1e-15).all()
+    assert errors(table)["total"][0] == pytest.approx(0.02)
+    assert errors(table)["start"][0] == pytest.approx(0.04)
 
 
 def test_resolution_of_both_cases_is_added_to_the_total(compared):
     table = compared(resolution=1e-3, variants=({"up": [1.03, 1.19, 1.27, 1.30]}, {}))
     assert errors(table)["resolution"] == pytest.approx(np.full(4, 1e-3))
-    assert errors(table)["total"] == pytest.approx([6e-3, 1e-3, 1e-3, 1e-3])
+    assert errors(table)["total"] == pytest.approx([11e-3, 1e-3, 1e-3, 1e-3])
 
 
-def test_a_way_without_the_event_counts_in_no_range(compared):
+def test_a_way_without_the_event_says_nothing_of_its_error(compared):
     table = compared(variants=({"halved_step": [1.04, 1.19, NAN, 1.30]}, {}))
-    assert errors(table)["step"] == pytest.approx(np.zeros(4), abs=1e-15)
+    assert errors(table)["step"] == pytest.approx([0, 0, NAN, 0], abs=1e-15, nan_ok=True)
+    assert errors(table)["total"] == pytest.approx(np.zeros(4), abs=1e-15)
     assert np.isnan(table["variant_shift"].sel(variant="halved step").values[2])
 
 
 def test_the_order_of_the_study_is_the_usual_way(compared):
     found = errors(compared(order="up", variants=({"up": [1.02, 1.19, 1.27, 1.30]}, {})))
-    assert found["step"] == pytest.approx([0.01, 0, 0, 0])
+    assert found["step"] == pytest.approx([0.02, 0, 0, 0])
 
 
 def test_an_event_that_the_study_lacks_has_no_shift(compared):

@@ -112,25 +112,28 @@ def _draw_panel(axes: Axes, quantity: Quantity, table: xr.Dataset) -> None:
     shown = [row for row in every[:_MOST_OPTIONS] if row.size >= _LEAST * _largest(every)]
     scale = _PERCENT if quantity.relative else 1.0
     places = [*range(len(shown)), *(_MOST_OPTIONS + _GAP + i for i in range(len(below)))]
-    for place, row in zip(places, [*shown, *below], strict=True):
-        _draw_row(axes, place, row, scale)
+    rows = [*shown, *below]
+    changes = [change for row in rows for change, _ in row.bars if np.isfinite(change)]
+    wider = 1 if max(changes, default=0.0) >= -min(changes, default=0.0) else -1
+    for place, row in zip(places, rows, strict=True):
+        _draw_row(axes, place, row, scale, wider)
     axes.axvline(0.0, color=_INK, linewidth=0.5)
     if left := every[len(shown) :]:
-        words = f"{len(left)} more, at most {scale * left[0].size:.1g}{' %' if quantity.relative else ''}"
+        words = f"{len(left)} more, at most {_above(scale * left[0].size):g}{' %' if quantity.relative else ''}"
         axes.text(0.98, len(shown), words, transform=axes.get_yaxis_transform(), ha="right", va="center", **_WORDS)
-    axes.set_yticks(places, [row.label for row in [*shown, *below]], fontsize=_SMALL)
+    axes.set_yticks(places, [row.label for row in rows], fontsize=_SMALL)
     axes.set_ylim(_MOST_OPTIONS + _GAP + len(PLACES) - 0.4, -0.6)
     axes.tick_params(axis="y", which="both", length=0)
     axes.yaxis.set_minor_locator(NullLocator())
     axes.xaxis.set_major_locator(MaxNLocator(3))
     axes.margins(x=0.1)
-    axes.set_xlabel(_measure(quantity, usual))
+    axes.set_xlabel(_measure(quantity, usual), fontsize=_SMALL + 0.4)
 
 
-def _draw_row(axes: Axes, place: float, row: Row, scale: float) -> None:
-    """Draw the bars of a row above one another; where one lacks, say so on the side of zero that is free."""
+def _draw_row(axes: Axes, place: float, row: Row, scale: float, wider: int) -> None:
+    """Draw the bars of a row above one another; where one lacks, say so on the free or the `wider` side of zero."""
     height = _HEIGHT_OF_ROW / len(row.bars)
-    rightwards = np.nansum([change for change, _ in row.bars]) <= 0
+    rightwards = (-np.nansum([change for change, _ in row.bars]) or wider) > 0
     for i, (change, colour) in enumerate(row.bars):
         middle = place + height * (i - (len(row.bars) - 1) / 2)
         if np.isfinite(change):
@@ -140,6 +143,14 @@ def _draw_row(axes: Axes, place: float, row: Row, scale: float) -> None:
         axes.annotate(
             "none", (0, middle), xytext=side[0], textcoords="offset points", ha=side[1], va="center", **_WORDS
         )
+
+
+def _above(value: float) -> float:
+    """Return the next number of one digit that is not below `value`."""
+    if not 0.0 < value < np.inf:
+        return value
+    step = 10.0 ** np.floor(np.log10(value))
+    return float(np.ceil(round(value / step, 6)) * step)
 
 
 def _largest(rows: list[Row]) -> float:

@@ -22,9 +22,9 @@ def shifts(
 ) -> xr.Dataset:
     """Return the shift of every event from the first to the second case, its errors and those of the members.
 
-    A shift is taken between two cases computed in the same way. Its numerical error is half the range over the ways
-    that vary one thing, the usual way among them, or, in total, over all of them; what the resolution of either onset
-    leaves open is added.
+    A shift is taken between two cases computed in the same way. A contribution to its numerical error is how far the
+    ways that vary one thing lead from the usual way. The total is how far any way leads from the shift itself, so that
+    its bar holds them all; what the resolution of either onset leaves open is added.
 
     Parameters
     ----------
@@ -40,8 +40,9 @@ def shifts(
     usual = by_variant[VARIANTS.index(order)]
     errors = {RESOLUTION: resolution}
     for name, varied in VARIED.items():
-        errors[name] = _half_range([usual, *(by_variant[VARIANTS.index(variant)] for variant in varied)])
-    errors[TOTAL] = _half_range(by_variant) + resolution
+        errors[name] = _farthest(by_variant[[VARIANTS.index(variant) for variant in varied]], usual)
+    shift = where["with"] - where["without"]
+    errors[TOTAL] = _farthest(by_variant, shift) + resolution
     parameters = list(next(iter(factors.values()), {}))
     scale = np.array([[factors[member][name] for name in parameters] for member in factors], dtype=float)
     table: dict[str, Any] = {
@@ -50,7 +51,7 @@ def shifts(
         "error": ("error", np.array(ERRORS, dtype=object)),
         "member": ("member", np.array(list(factors), dtype=object)),
         "parameter": ("parameter", np.array(parameters, dtype=object)),
-        "onset_shift": ("event", where["with"] - where["without"]),
+        "onset_shift": ("event", shift),
         "variant_shift": (("variant", "event"), by_variant),
         "shift_error": (("error", "event"), np.array([errors[name] for name in ERRORS])),
         "factor": (("member", "parameter"), scale.reshape(len(factors), len(parameters))),
@@ -62,8 +63,8 @@ def shifts(
         table[f"member_onset_{case}"] = (("member", "event"), known)
         table[f"member_how_{case}"] = (("member", "event"), _stack(own, "onset_how", np.int32))
         table[f"member_remark_{case}"] = (("member", "event"), _stack(own, "onset_remark", object))
-    shift = table["member_onset_with"][1] - table["member_onset_without"][1]
-    table["member_shift"] = (("member", "event"), shift)
+    of_members = table["member_onset_with"][1] - table["member_onset_without"][1]
+    table["member_shift"] = (("member", "event"), of_members)
     return xr.Dataset(table).set_coords(["event", "variant", "error", "member", "parameter"])
 
 
@@ -97,12 +98,10 @@ def _located(onsets: xr.Dataset) -> np.ndarray:
     return np.where(np.isin(onsets["onset_how"].values, LOCATED), onsets["onset"].values, np.nan)
 
 
-def _half_range(rows) -> np.ndarray:
-    values = np.array(rows)
-    known = np.isfinite(values)
-    high = np.where(known, values, -np.inf).max(axis=0)
-    low = np.where(known, values, np.inf).min(axis=0)
-    return np.where(known.any(axis=0), (high - low) / 2, np.nan)
+def _farthest(ways: np.ndarray, place: np.ndarray) -> np.ndarray:
+    """Return the largest distance of the rows of `ways` that are known from `place`; nan where none is."""
+    distance = abs(ways - place)
+    return np.where(np.isfinite(distance).any(axis=0), np.nan_to_num(distance).max(axis=0), np.nan)
 
 
 def _stack(datasets, name: str, kind) -> np.ndarray:
