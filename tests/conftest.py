@@ -19,6 +19,11 @@ def pytest_addoption(parser):
     parser.addoption("--long", action="store_true", help="the faults of tests/faults at every kind of stage and moment")
 
 
+def pytest_collection_modifyitems(items):
+    """Leave the many small files of the units for the end, where they fill the time of a worker that has no other."""
+    items.sort(key=lambda item: item.path.is_relative_to(ROOT / "tests" / "unit"))
+
+
 class Project:
     """A copy of the program in a folder of its own."""
 

@@ -85,9 +85,12 @@ def test_a_search_begins_with_the_study_and_stays_within_its_ranges(searches, co
     assert not np.array_equal(found[0]["candidate_line_load"], found[1]["candidate_line_load"])
 
 
-def test_a_search_is_the_same_every_time(run, searches):
-    again = run("search_parameters", {"claims": CLAIMS}, {"first": "s.nc"}, island="1")[0]
+def test_a_search_is_the_same_every_time_and_tells_how_far_it_is(run, searches, caplog):
+    with caplog.at_level("INFO", "gearwear"):
+        again = run("search_parameters", {"claims": CLAIMS}, {"first": "s.nc"}, island="1")[0]
     assert Path(again).read_bytes() == Path(searches[0]).read_bytes()
+    merit = store.load(again)["candidate_merit"].values.max()
+    assert f"generation 1 of 1: best merit {merit:.3f}" in caplog.text
 
 
 def test_merit_counts_the_claims_that_agree_and_how_near_the_others_are(searches):

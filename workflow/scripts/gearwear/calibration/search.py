@@ -7,14 +7,14 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from scipy.optimize import differential_evolution
+from scipy.optimize import OptimizeResult, differential_evolution
 from scipy.stats import qmc
 
 from gearwear.calibration.agreement import agreements, judged
 from gearwear.calibration.candidate import SWEPT, pair_of, quick_sweeps
 from gearwear.calibration.parameters import NAMES, ends, values_of, with_values
 from gearwear.calibration.sampling import points
-from gearwear.plumbing.stage import worded
+from gearwear.plumbing.stage import log, worded
 
 _MUTATION, _RECOMBINATION = (0.4, 0.9), 0.8
 
@@ -52,6 +52,10 @@ def evolve(config: dict[str, Any], claims: Sequence[Mapping[str, Any]], island: 
         record.extend(found)
         return np.array([-merit for _, _, merit, _ in found])
 
+    def tell(intermediate_result: OptimizeResult) -> None:
+        generation, merit = intermediate_result.nit, -intermediate_result.fun
+        log.info("generation %d of %d: best merit %.3f", generation, settings["generations"], merit)
+
     start = qmc.scale(qmc.LatinHypercube(len(NAMES), rng=island).random(settings["population"]), low, high)
     if island == 1:
         start[0] = np.clip(values_of(config), low, high)
@@ -67,6 +71,7 @@ def evolve(config: dict[str, Any], claims: Sequence[Mapping[str, Any]], island: 
         vectorized=True,
         updating="deferred",
         rng=island,
+        callback=tell,
     )
     return xr.Dataset(
         {

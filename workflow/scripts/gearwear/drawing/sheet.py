@@ -31,6 +31,7 @@ def sheet(job, width: float, height: float, layout: Literal["constrained"] | Non
         source = " ".join(["gearwear", *store.lineages(job).values()])
         with store.atomic(job.output.svg) as vector, store.atomic(job.output.png) as pixels:
             figure.savefig(vector, format="svg", metadata={"Date": None, "Creator": None, "Source": source})
+            figure.set_layout_engine("none")  # the second file has the places of the first: to find them takes a third
             figure.savefig(pixels, format="png", metadata={"Software": None, "Source": source})
 
 
