@@ -4,12 +4,6 @@ import numpy as np
 import pytest
 
 
-def test_start_wear_is_no_wear(states, loaded):
-    wear = loaded(states("with"), "wear")
-    assert not wear["wear_depth"].values.any()
-    assert float(wear["running_cycles"]) == 0.0
-
-
 def test_wear_only_has_the_stiffness_of_the_cold_pristine_pair(states, loaded):
     for stage, name in (("mesh_stiffness", "mesh_stiffness"), ("transmission_error", "transmission_error")):
         cold, dry = (loaded(states(case), stage)[name].values for case in ("without", "wear_only"))

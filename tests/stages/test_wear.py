@@ -13,6 +13,12 @@ def path_mean(dataset, name, geometry):
     return float(dataset[name].values @ geometry["mesh_phase_width"].values)
 
 
+def test_start_wear_is_no_wear(states, loaded):
+    wear = loaded(states("with"), "wear")
+    assert not wear["wear_depth"].values.any()
+    assert float(wear["running_cycles"]) == 0.0
+
+
 def test_first_block_of_wear(states, loaded, advance):
     files = states("with")
     geometry, wear = loaded(files, "geometry"), advance(files)

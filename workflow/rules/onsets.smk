@@ -121,6 +121,6 @@ rule plot_onsets:
         cfg={},
         code=code("plot_onsets.py"),
     message:
-        "Figure: shift of the onsets, its numerical error and its spread."
+        "Figure: shift of the onsets, its span over the ways of computing and its spread."
     script:
         "../scripts/plot_onsets.py"

@@ -24,9 +24,10 @@ def main(job):
     rows = table.rows(compared)
     tables.write_rows(rows, job.output.table)
     for row in rows:
+        drawn = f"{row['percentile_5']} to {row['percentile_95']}"
         stage.announce(
-            f"{row['event']}: with less without {row['shift']} +- {row['numerical_error']}; ensemble "
-            f"{row['percentile_5']} to {row['percentile_95']}, {row['members_with_event']} of {row['members']} members"
+            f"{row['event']}: with less without {row['shift']}, {row['lowest']} to {row['highest']} over ways of "
+            f"computing; ensemble {drawn}, {row['members_with_event']} of {row['members']} members"
         )
 
 

@@ -6,7 +6,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from gearwear.drawing import onsets
-from gearwear.onsets.codes import ERRORS, EVENTS, TOTAL
+from gearwear.onsets.codes import ERRORS, EVENTS, RESOLUTION
 
 NAN = np.nan
 MEMBERS = ("damping_ratio_low", "damping_ratio_high", "box_001", "box_002", "box_003")
@@ -19,11 +19,12 @@ def table():
     members = np.array([shift - 0.01, shift + 0.01, shift - 0.02, shift, shift + 0.02])
     members[:, 3] = [-0.05, NAN, -0.06, NAN, -0.04]
     errors = np.zeros((len(ERRORS), 4))
-    errors[ERRORS.index(TOTAL)] = [0.02, 0.001, 1e-8, NAN]
+    errors[ERRORS.index(RESOLUTION)] = 0.001
     return xr.Dataset(
         {
             "onset_shift": ("event", shift),
             "shift_error": (("error", "event"), errors),
+            "variant_shift": (("variant", "event"), [shift, shift - 0.01, shift + 0.02]),
             "member_shift": (("member", "event"), members),
             "factor": (("member", "parameter"), [[0.9, 1.0], [1.1, 1.0], [1.0, 1.0], [0.95, 1.0], [1.05, 1.0]]),
         },
@@ -69,9 +70,9 @@ def test_shift_members_and_ends_stand_where_they_belong(panels):
     assert words(panels[0]) == []
 
 
-def test_the_bar_is_the_total_error(panels):
+def test_the_bar_holds_every_way_of_computing_and_no_more_than_the_resolution(panels):
     segments = panels[0].collections[0].get_segments()[0]
-    assert segments[:, 0] == pytest.approx([-0.06, -0.02])
+    assert segments[:, 0] == pytest.approx([-0.051, -0.019])
 
 
 def test_what_lacks_is_said(panels):

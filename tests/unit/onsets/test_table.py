@@ -33,6 +33,8 @@ def test_a_row_holds_shift_errors_ensemble_and_faces(rows):
         "without": "1.040000",
         "with": "1.000000",
         "shift": "-0.040000",
+        "lowest": "-0.040000",
+        "highest": "-0.030000",
         "numerical_error": "1.0e-02",
         "error_resolution": "0.0e+00",
         "error_start": "1.0e-02",

@@ -7,7 +7,7 @@ import yaml
 
 from gearwear.plumbing.bulk import BALANCE, bulk_temperature, of_case, resolved
 from gearwear.plumbing.members import members
-from gearwear.plumbing.settings import check
+from gearwear.plumbing.settings import ConfigError, check
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -68,4 +68,21 @@ def test_keys_that_are_missing_hinder_nothing_here(raw):
     del values["lubricant"]["dynamic_viscosity"]
     assert of_case(values, {"bulk_temperature": BALANCE}) == (None, "")
     assert of_case(values, {}) == (None, "")
+
+
+@pytest.mark.parametrize("section", ["gear_pair", "operation", "lubricant", "heat_balance"])
+def test_a_balance_does_not_hide_which_key_is_missing(raw, section):
+    raw["cases"]["with"]["bulk_temperature"] = BALANCE
+    for key in list(raw[section]):
+        value = raw[section].pop(key)
+        with pytest.raises(ConfigError, match=f"{section}.{key}: missing"):
+            check(raw)
+        raw[section][key] = value
+    raw[section] = None
+    with pytest.raises(ConfigError, match=f"{section}: .* is not a section"):
+        check(raw)
+
+
+def test_without_a_balance_the_number_given_is_the_temperature(raw):
+    values = check(raw)
     assert of_case(values, {"bulk_temperature": 55.0}) == (55.0, "")

@@ -1,4 +1,4 @@
-"""Shift of the onsets of doublings and chaos: its numerical error, the ensemble, the parameters one at a time."""
+"""Shift of the onsets of doublings and chaos: over ways of computing, over the ensemble, one parameter at a time."""
 
 from __future__ import annotations
 
@@ -13,9 +13,8 @@ from matplotlib.ticker import MaxNLocator, NullLocator
 
 from gearwear.drawing import legend
 from gearwear.drawing.sheet import letter
-from gearwear.onsets.codes import TOTAL
 from gearwear.onsets.ensemble import NOMINAL
-from gearwear.onsets.shifts import drawn, spread
+from gearwear.onsets.shifts import drawn, span, spread
 
 HEIGHT = 82.0  # mm
 _NAMES = {
@@ -67,8 +66,9 @@ def _draw_study(axes: Axes, row: int, table: xr.Dataset, event: int) -> None:
     if np.isnan(shift):
         _say(axes, row, "no such event")
         return
-    error = float(table["shift_error"].sel(error=TOTAL).values[event])
-    axes.errorbar(shift, row, xerr=error, color=_INK, marker="D", markersize=3.2, linewidth=0.8, capsize=2.2)
+    low, high = (float(ends[event]) for ends in span(table))
+    reach = [[shift - low], [high - shift]]
+    axes.errorbar(shift, row, xerr=reach, color=_INK, marker="D", markersize=3.2, linewidth=0.8, capsize=2.2)
     axes.axvline(shift, color=_INK, linewidth=0.3, alpha=0.5)
 
 
@@ -116,8 +116,7 @@ def _range(table: xr.Dataset, name: str) -> str:
 
 
 def _extent(table: xr.Dataset) -> tuple[float, float]:
-    shift, error = table["onset_shift"].values, table["shift_error"].sel(error=TOTAL).values
-    values = np.concatenate([[0.0], shift - error, shift + error, table["member_shift"].values.ravel()])
+    values = np.concatenate([[0.0], *span(table), table["member_shift"].values.ravel()])
     low, high = np.nanmin(values), np.nanmax(values)
     room = _ROOM * (high - low) or 0.01
     return low - room, high + room
@@ -125,7 +124,7 @@ def _extent(table: xr.Dataset) -> tuple[float, float]:
 
 def _keys() -> list[Line2D]:
     return [
-        Line2D([], [], color=_INK, marker="D", markersize=3.2, linewidth=0.8, label="shift, numerical error"),
+        Line2D([], [], color=_INK, marker="D", markersize=3.2, linewidth=0.8, label="shift, ways of computing"),
         Line2D([], [], marker="o", markersize=2.4, color=_DOTS, label="drawn member", **_MARK),
         Line2D([], [], color=_INK, linewidth=0.8, marker="|", markersize=6, label="5-95 %, median"),
         *(

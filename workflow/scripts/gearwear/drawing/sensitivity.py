@@ -119,7 +119,8 @@ def _draw_panel(axes: Axes, quantity: Quantity, table: xr.Dataset) -> None:
         _draw_row(axes, place, row, scale, wider)
     axes.axvline(0.0, color=_INK, linewidth=0.5)
     if left := every[len(shown) :]:
-        words = f"{len(left)} more, at most {_above(scale * left[0].size):g}{' %' if quantity.relative else ''}"
+        most = f", at most {_above(scale * left[0].size):g}{' %' * quantity.relative}"
+        words = f"{len(left)} more{most * bool(np.isfinite(left[0].size))}"
         axes.text(0.98, len(shown), words, transform=axes.get_yaxis_transform(), ha="right", va="center", **_WORDS)
     axes.set_yticks(places, [row.label for row in rows], fontsize=_SMALL)
     axes.set_ylim(_MOST_OPTIONS + _GAP + len(PLACES) - 0.4, -0.6)
@@ -146,10 +147,10 @@ def _draw_row(axes: Axes, place: float, row: Row, scale: float, wider: int) -> N
 
 
 def _above(value: float) -> float:
-    """Return the next number of one digit that is not below `value`."""
+    """Return the next number of two digits that is not below `value`, which is not negative."""
     if not 0.0 < value < np.inf:
         return value
-    step = 10.0 ** np.floor(np.log10(value))
+    step = 10.0 ** (np.floor(np.log10(value)) - 1)
     return float(np.ceil(round(value / step, 6)) * step)
 
 

@@ -23,8 +23,9 @@ def shifts(
     """Return the shift of every event from the first to the second case, its errors and those of the members.
 
     A shift is taken between two cases computed in the same way. A contribution to its numerical error is how far the
-    ways that vary one thing lead from the usual way. The total is how far any way leads from the shift itself, so that
-    its bar holds them all; what the resolution of either onset leaves open is added.
+    ways that vary one thing lead from the usual sweep; nan where this or all of them miss the event. The total is how
+    far any way leads from the shift itself, which goes by the place on the branch also where the usual sweep passes
+    it; what the resolution of either onset leaves open is added.
 
     Parameters
     ----------
@@ -66,6 +67,13 @@ def shifts(
     of_members = table["member_onset_with"][1] - table["member_onset_without"][1]
     table["member_shift"] = (("member", "event"), of_members)
     return xr.Dataset(table).set_coords(["event", "variant", "error", "member", "parameter"])
+
+
+def span(table: xr.Dataset) -> tuple[np.ndarray, np.ndarray]:
+    """Return between what the shift lies over all ways of computing and its resolution, each (events,)."""
+    shift, ways = table["onset_shift"].values, table["variant_shift"].values
+    resolution = table["shift_error"].sel(error=RESOLUTION).values
+    return np.fmin(shift, np.fmin.reduce(ways)) - resolution, np.fmax(shift, np.fmax.reduce(ways)) + resolution
 
 
 def drawn(table: xr.Dataset) -> np.ndarray:

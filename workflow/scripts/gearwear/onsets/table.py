@@ -6,25 +6,29 @@ import numpy as np
 import xarray as xr
 
 from gearwear.onsets.codes import ERRORS, LOCATED, TOTAL
-from gearwear.onsets.shifts import CASES, drawn, spread
+from gearwear.onsets.shifts import CASES, drawn, span, spread
 
 _FIGURES = "{:.6f}"
 NO_NUMBER = "none"
 
 
 def rows(table: xr.Dataset) -> list[dict[str, str]]:
-    """Return the rows: shift with its numerical error and its parts, the ensemble, the faces of the box, what lacks.
+    """Return the rows: shift, its span over the ways of computing, error, ensemble, faces of the box, what lacks.
 
-    The ways that miss an event count in no error, so they are named. All shifts are mesh frequencies over the natural
-    frequency of each case, that of case `with` less that of case `without`: negative where `with` comes earlier.
+    `error_*` are how far the ways that vary one thing lead from the usual sweep, `numerical_error` how far any leads
+    from the shift. The ways that miss an event count in no error, so they are named. All shifts are mesh frequencies
+    over the natural frequency of each case, that of case `with` less that of case `without`: negative where `with`
+    comes earlier.
     """
     statistics, inside = spread(table), drawn(table)
+    low, high = span(table)
     found = []
     for i, event in enumerate(table["event"].values):
         error = dict(zip(ERRORS, table["shift_error"].values[:, i], strict=True))
         row = {"event": str(event)}
         row |= {case: _number(table[f"onset_{case}"].values[i]) for case in CASES}
-        row |= {"shift": _number(table["onset_shift"].values[i]), "numerical_error": _small(error.pop(TOTAL))}
+        row |= {"shift": _number(table["onset_shift"].values[i])}
+        row |= {"lowest": _number(low[i]), "highest": _number(high[i]), "numerical_error": _small(error.pop(TOTAL))}
         row |= {f"error_{name}": _small(value) for name, value in error.items()}
         row["ways_without_the_event"] = "; ".join(_ways_without(table, i)) or NO_NUMBER
         row |= {"members": str(int(inside.sum())), "members_with_event": str(int(statistics["exists"][i]))}

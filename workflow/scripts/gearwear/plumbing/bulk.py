@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from inspect import signature
 from typing import Any
 
 BALANCE = "balance"
@@ -20,7 +21,7 @@ def bulk_temperature(config: dict[str, Any]) -> float:
     from gearwear.geometry.involute import gear_pair
     from gearwear.heat.balance import balanced, heat_flows
 
-    pair = gear_pair(**{name: value for name, value in config["gear_pair"].items() if name != "inertia"})
+    pair = gear_pair(**{name: config["gear_pair"][name] for name in signature(gear_pair).parameters})
     geometry = pair._asdict() | contact_path(pair, 16)._asdict()
     operation, lubricant, settings = (config[name] for name in ("operation", "lubricant", "heat_balance"))
 

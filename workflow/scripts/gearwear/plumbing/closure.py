@@ -64,5 +64,6 @@ def _files(name: str, root: Path) -> tuple[Path, ...]:
 @lru_cache(None)
 def _modules(root: Path) -> dict[str, Path]:
     """Return the files of all modules and packages below `root`, by dotted name."""
-    files = {file.relative_to(root).with_suffix("").parts: file for file in root.rglob("*.py")}
-    return {".".join(parts).removesuffix(".__init__"): file for parts, file in files.items()}
+    # a package comes after a module of its name and, as in the language, wins
+    files = [(file.relative_to(root).with_suffix("").parts, file) for file in sorted(root.rglob("*.py"), reverse=True)]
+    return {".".join(parts).removesuffix(".__init__"): file for parts, file in files}
