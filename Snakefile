@@ -111,7 +111,7 @@ rule validation:
 
 rule calibrate:
     """Searches values of what the paper leaves open, for most claims.
-    Cost: two searches of 1 100 candidates each, and the best of them in full; needs nothing else.
+    Cost: two searches of 1 100 candidates, 15 minutes of a core each; needs nothing else.
     """
     input:
         "results/calibration/parameters.csv",
