@@ -62,7 +62,7 @@ def test_a_job_does_without_the_library_of_units(job, script, in_this_process, m
         monkeypatch.delitem(sys.modules, name)
     with stage.logged(job, script), pytest.raises(ImportError):
         import pint
-    import pint  # noqa: F401, F811
+    import pint  # noqa: F401, F811  (that it can be imported again is the test)
 
 
 def test_output_goes_to_the_log_of_the_job(job, script, in_this_process, capsys):

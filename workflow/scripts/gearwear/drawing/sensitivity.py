@@ -119,8 +119,9 @@ def _draw_panel(axes: Axes, quantity: Quantity, table: xr.Dataset) -> None:
         _draw_row(axes, place, row, scale, wider)
     axes.axvline(0.0, color=_INK, linewidth=0.5)
     if left := every[len(shown) :]:
-        most = f", at most {_above(scale * left[0].size):g}{' %' * quantity.relative}"
-        words = f"{len(left)} more{most * bool(np.isfinite(left[0].size))}"
+        words = f"{len(left)} more"
+        if np.isfinite(left[0].size):
+            words += f", at most {_above(scale * left[0].size):g}{' %' if quantity.relative else ''}"
         axes.text(0.98, len(shown), words, transform=axes.get_yaxis_transform(), ha="right", va="center", **_WORDS)
     axes.set_yticks(places, [row.label for row in rows], fontsize=_SMALL)
     axes.set_ylim(_MOST_OPTIONS + _GAP + len(PLACES) - 0.4, -0.6)

@@ -82,7 +82,7 @@ def _hidden(module: str) -> Iterator[None]:
     """Let imports of `module`, if there were none, find nothing: the library that asks for it can do without."""
     hide = module not in sys.modules
     if hide:
-        sys.modules[module] = None  # type: ignore[assignment]
+        sys.modules[module] = None  # type: ignore[assignment]  # what makes an import fail
     try:
         yield
     finally:
