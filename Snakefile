@@ -9,9 +9,10 @@ min_version("9.0")
 
 # Snakemake looks whether a parameter is a table, and imports pandas to ask: a tenth of the time of planning.
 sys.modules.setdefault("pandas", None)
-sys.path.insert(0, str(Path(workflow.basedir) / "workflow" / "scripts"))
+import gc
+gc.set_threshold(100_000)
 
-from gearwear.plumbing import outlines, targets
+from gearwear.run import outlines, help as targets
 
 # Before anything is read or locked: help works beside a run and with a wrong configuration.
 if targets.asked(sys.argv[1:]):

@@ -22,10 +22,10 @@ sys.path.insert(0, str(ROOT / "workflow" / "scripts"))
 
 import numpy as np  # noqa: E402  (the number of threads must be set first)
 
-from gearwear.dynamics.motion import GENERAL, GROWTH, MAPS, RECORDS, STATES, strobe  # noqa: E402
-from gearwear.dynamics.motion_many import strobe_many  # noqa: E402
-from gearwear.dynamics.oscillator import Oscillator  # noqa: E402
-from gearwear.dynamics.periodic import Harmonics  # noqa: E402
+from gearwear.integrate.strobe import GENERAL, GROWTH, MAPS, RECORDS, STATES, strobe  # noqa: E402
+from gearwear.integrate.strobe_many import strobe_many  # noqa: E402
+from gearwear.oscillator.oscillator import Oscillator  # noqa: E402
+from gearwear.oscillator.periodic import Harmonics  # noqa: E402
 
 FREQUENCIES = np.linspace(0.1, 1.7, 400)
 PERIODS, START = 500, (1.1, 0.0)

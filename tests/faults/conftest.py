@@ -11,8 +11,8 @@ from typing import Any
 
 import pytest
 
-from gearwear.plumbing import stage
-from gearwear.plumbing.closure import SCRIPTS
+from gearwear.run import job
+from gearwear.run.digest import SCRIPTS
 
 
 @dataclass(frozen=True)
@@ -79,9 +79,7 @@ def copied(filled, tmp_path_factory):
 @pytest.fixture
 def tell(monkeypatch):
     """Return a function that runs a job in the current folder and tells what went wrong: its log and the screen."""
-    monkeypatch.setattr(
-        stage, "end_with_workflow", lambda: None
-    )  # the test must not be bound to the life of its parent
+    monkeypatch.setattr(job, "end_with_workflow", lambda: None)  # the test must not be bound to the life of its parent
 
     def run(one: Job) -> str:
         screen = io.StringIO()
@@ -89,7 +87,7 @@ def tell(monkeypatch):
             here.setattr(sys, "__stderr__", screen)
             here.setattr(sys, "__stdout__", screen)
             try:
-                with stage.logged(one.job, str(SCRIPTS / f"{one.script}.py")):
+                with job.logged(one.job, str(SCRIPTS / f"{one.script}.py")):
                     importlib.import_module(one.script).main(one.job)
             except SystemExit as end:
                 return Path(one.job.log[0]).read_text() + screen.getvalue() + str(end)

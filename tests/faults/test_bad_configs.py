@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 import yaml
 
-from gearwear.plumbing.key_types import entry_type, is_section, keys
-from gearwear.plumbing.members import members, merged
-from gearwear.plumbing.settings import ConfigError, check
-from gearwear.plumbing.study_sections import Configuration
-from gearwear.plumbing.wording import dotted
+from gearwear.config.check import ConfigError, check
+from gearwear.config.key_types import entry_type, is_section, keys
+from gearwear.config.members import members, merged
+from gearwear.config.study_sections import Configuration
+from gearwear.config.wording import dotted
 
 ROOT = Path(__file__).resolve().parents[2]
 SEED = 77

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from gearwear.plumbing import belonging, store
-from gearwear.plumbing.fields import field_of
+from gearwear.io import store
+from gearwear.io.variables import field_of
+from gearwear.run import inputs
 
 REMEDY = "run the workflow again"
 
@@ -165,8 +166,8 @@ def test_spoiled_file_of_a_target_beside_all_is_named(tmp_path, monkeypatch, pla
     made = xr.Dataset({"running_cycles": 0.0})
     store.save(made, SimpleNamespace(rule=OTHERS[place], input={}, output=[str(path)], params=params))
     reader = SimpleNamespace(input={"it": f"results/{place}"}, config={})
-    belonging.check(reader)
+    inputs.check(reader)
     spoil(path)
     with pytest.raises(ValueError, match=f"results/{place}: .*{REMEDY}"):
-        belonging.check(reader)
+        inputs.check(reader)
         store.load(f"results/{place}")

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from gearwear.plumbing.closure import SCRIPTS
+from gearwear.run.digest import SCRIPTS
 
 # Runs the scripts of jobs one after another in one process, as Snakemake does in one for each.
 RUNNER = """

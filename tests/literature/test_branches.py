@@ -2,8 +2,8 @@
 
 import pytest
 
+from gearwear.codes.branch_codes import PERIOD_DOUBLING
 from gearwear.orbits.branches import Seed, explore
-from gearwear.orbits.codes import PERIOD_DOUBLING
 from gearwear.orbits.continuation import Limits
 from gearwear.orbits.return_map import return_maps
 from gearwear.validation.oscillator import oscillator_of

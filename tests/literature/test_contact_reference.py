@@ -5,9 +5,9 @@ Steel on steel, radii 8 and 24 mm, 200 N/mm, hot mineral oil. The numbers of thi
 
 import pytest
 
+from gearwear.contact.film import film_thickness
 from gearwear.validation.wear import STEEL as MODULUS
 from gearwear.wear.archard import boundary_wear_coefficient
-from gearwear.wear.film import film_thickness
 
 RADIUS, LOAD, VISCOSITY, PRESSURE_VISCOSITY = 6e-3, 2.0e5, 0.0094, 2.0e-8
 

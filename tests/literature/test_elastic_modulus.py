@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gearwear.heat.modulus import modulus_ratio
+from gearwear.contact.modulus import modulus_ratio
 
 
 def test_default_laws_agree_at_gear_temperatures():

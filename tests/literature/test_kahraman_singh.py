@@ -7,12 +7,12 @@ the other one has a single harmonic of large stiffness fluctuation and shows the
 import numpy as np
 import pytest
 
-from gearwear.attractors.basins import basins, cell_centres
-from gearwear.attractors.chain import carried
-from gearwear.attractors.hysteresis import differing
-from gearwear.attractors.settling import Settling, settle
-from gearwear.dynamics.oscillator import Oscillator
-from gearwear.dynamics.periodic import Harmonics
+from gearwear.motions.basins import basins, cell_centres
+from gearwear.motions.hysteresis import differing
+from gearwear.motions.settling import Settling, settle
+from gearwear.motions.sweep import carried
+from gearwear.oscillator.oscillator import Oscillator
+from gearwear.oscillator.periodic import Harmonics
 
 SETTLING = Settling(400, 6400, 240, 16, 1e-7, 3e-3)
 

@@ -8,18 +8,19 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from gearwear.attractors.chain import carried
-from gearwear.attractors.record import columns
-from gearwear.attractors.settling import Settling, settle_many
-from gearwear.dynamics.excitation import Excitation, rest_state
-from gearwear.dynamics.periodic import Harmonics
+from gearwear.codes.onset_codes import GENERAL, GENERAL_HALVED, MET, ORDERS, OTHER_START, PASSED_BY, VARIANTS
+from gearwear.motions.motion_variables import columns
+from gearwear.motions.settling import Settling, settle_many
+from gearwear.motions.start import rest_state
+from gearwear.motions.sweep import carried
 from gearwear.onsets import route
-from gearwear.onsets.codes import GENERAL, GENERAL_HALVED, MET, ORDERS, OTHER_START, PASSED_BY, VARIANTS
+from gearwear.orbits.branch_variables import columns as branch_columns
 from gearwear.orbits.branches import Seed, explore
 from gearwear.orbits.continuation import Limits
 from gearwear.orbits.newton import minimal_period, periodic_orbit
-from gearwear.orbits.record import columns as branch_columns
 from gearwear.orbits.return_map import return_maps
+from gearwear.oscillator.excitation import Excitation
+from gearwear.oscillator.periodic import Harmonics
 
 SETTLING = Settling(200, 3200, 160, 16, 1e-7, 3e-3)
 DYNAMICS = {

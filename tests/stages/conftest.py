@@ -10,9 +10,10 @@ import pytest
 import xarray as xr
 import yaml
 
-from gearwear.plumbing import settings, store
-from gearwear.plumbing.members import merged
-from gearwear.plumbing.slices import slice_of
+from gearwear.config import check
+from gearwear.config.members import merged
+from gearwear.config.slices import slice_of
+from gearwear.io import store
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -55,7 +56,7 @@ def study():
             for name in sections:
                 target = target[name]
             target[key] = copy.deepcopy(value)
-        return settings.check(raw)
+        return check.check(raw)
 
     return make
 

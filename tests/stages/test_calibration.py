@@ -8,9 +8,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from gearwear.calibration.parameters import NAMES, OSCILLATOR, values_of
-from gearwear.plumbing import store
-from gearwear.plumbing.slices import slice_of
+from gearwear.config.calibration_parameters import NAMES, OSCILLATOR, values_of
+from gearwear.config.slices import slice_of
+from gearwear.io import store
 
 ROOT = Path(__file__).resolve().parents[2]
 CLAIMS = str(ROOT / "config" / "paper_claims.yaml")

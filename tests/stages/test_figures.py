@@ -14,8 +14,8 @@ import yaml
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
-from gearwear.drawing import sheet
-from gearwear.plumbing import store
+from gearwear.figures import sheet
+from gearwear.io import store
 from gearwear.studies.gathering import gathered
 from gearwear.studies.outcome import impossible
 
@@ -423,7 +423,7 @@ def test_windows_of_the_paper_are_those_of_the_case():
 
 
 def test_a_figure_without_portraits_is_refused_with_the_key_to_fill():
-    portraits = importlib.import_module("gearwear.drawing.portraits")
+    portraits = importlib.import_module("gearwear.figures.portraits")
     empty = xr.Dataset(motion([1]), {"ste": ("point", [0.5])}).isel(point=[])
     assert portraits.height(0) == portraits.height(1)
     with pytest.raises(ValueError, match="portraits.ste"):

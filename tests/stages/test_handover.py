@@ -12,8 +12,8 @@ import pytest
 import write_handover
 from gather_handover import PARTS
 from gather_handover import main as gather
-from gearwear.plumbing import store
-from gearwear.plumbing.slices import slice_of
+from gearwear.config.slices import slice_of
+from gearwear.io import store
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 TABLES = {"mesh": 2 * 40, "wear": None, "states": 2, "gears": 2}

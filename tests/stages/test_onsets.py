@@ -8,10 +8,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from gearwear.onsets import ensemble
-from gearwear.onsets.codes import EVENTS, MET, ORDERS, PASSED_BY, VARIANTS
-from gearwear.plumbing import store
-from gearwear.plumbing.slices import slice_of
+from gearwear.codes.onset_codes import EVENTS, MET, ORDERS, PASSED_BY, VARIANTS
+from gearwear.config import ensemble
+from gearwear.config.slices import slice_of
+from gearwear.io import store
 
 STYLE = str(Path(__file__).resolve().parents[2] / "workflow" / "report" / "gearwear.mplstyle")
 CHANGES = {

@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from gearwear.plumbing.fields import FIELDS, field_of
+from gearwear.io.variables import FIELDS, field_of
 
 PATH, PHASE, BOTH = ("path",), ("mesh_phase",), ("gear", "path")
 CONTENTS = {

@@ -11,10 +11,10 @@ import xarray as xr
 
 from gearwear.chain.geometry import geometry
 from gearwear.chain.states import last_state
-from gearwear.plumbing import store
-from gearwear.plumbing.slices import slice_of
+from gearwear.config.slices import slice_of
+from gearwear.config.variations import variations
+from gearwear.io import store
 from gearwear.sensitivity import measures as module
-from gearwear.sensitivity.variations import variations
 
 STYLE = str(Path(__file__).resolve().parents[2] / "workflow" / "report" / "gearwear.mplstyle")
 CHANGES = {

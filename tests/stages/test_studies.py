@@ -11,9 +11,9 @@ import pytest
 from gearwear.chain.geometry import geometry
 from gearwear.chain.record import record, state_at
 from gearwear.chain.states import last_state
-from gearwear.plumbing import store
-from gearwear.plumbing.chains import chains
-from gearwear.plumbing.slices import slice_of
+from gearwear.config.histories import chains
+from gearwear.config.slices import slice_of
+from gearwear.io import store
 from gearwear.studies.outcome import outcome
 
 STYLE = str(Path(__file__).resolve().parents[2] / "workflow" / "report" / "gearwear.mplstyle")

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from gearwear.plumbing import store
-from gearwear.plumbing.bulk import resolved
+from gearwear.heat.bulk import resolved
+from gearwear.io import store
 
 PITCH = "pitch_point"
 

@@ -6,8 +6,8 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from gearwear.plumbing import store
-from gearwear.plumbing.slices import slice_of
+from gearwear.config.slices import slice_of
+from gearwear.io import store
 
 STIFF, SOFT = 1e12, 3e8
 SHORT = {

@@ -6,8 +6,8 @@ from types import SimpleNamespace
 import pytest
 
 import list_warnings
-from gearwear.plumbing.closure import SCRIPTS
-from gearwear.plumbing.slices import slice_of
+from gearwear.config.slices import slice_of
+from gearwear.run.digest import SCRIPTS
 
 
 class Inputs(dict):

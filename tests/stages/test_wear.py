@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gearwear.plumbing import store
+from gearwear.io import store
 
 PITCH = "pitch_point"
 

@@ -8,11 +8,11 @@ import pytest
 import yaml
 from snakemake.utils import update_config
 
-from gearwear.plumbing.key_types import entry_type, is_section, keys, placeholder
-from gearwear.plumbing.keytable import SCHEMA_FILE, TABLE_FILE, readers, schema_text, table_text, write
-from gearwear.plumbing.settings import ConfigError, check
-from gearwear.plumbing.slices import STAGES
-from gearwear.plumbing.study_sections import Configuration
+from gearwear.config.check import ConfigError, check
+from gearwear.config.key_table import SCHEMA_FILE, TABLE_FILE, readers, schema_text, table_text, write
+from gearwear.config.key_types import entry_type, is_section, keys, placeholder
+from gearwear.config.slices import STAGES
+from gearwear.config.study_sections import Configuration
 
 ROOT = Path(__file__).resolve().parents[2]
 DROP = object()
@@ -78,7 +78,7 @@ def test_the_schema_accepts_the_checked_configuration_and_refuses_a_bad_one():
 def test_the_generated_files_are_up_to_date(tmp_path):
     write(tmp_path)
     for file in (SCHEMA_FILE, TABLE_FILE):
-        assert (ROOT / file).read_bytes() == (tmp_path / file).read_bytes(), f"run gearwear.plumbing.keytable: {file}"
+        assert (ROOT / file).read_bytes() == (tmp_path / file).read_bytes(), f"run gearwear.config.key_table: {file}"
 
 
 def test_the_table_follows_the_stages_given():

@@ -7,7 +7,7 @@ import pytest
 import xarray as xr
 import yaml
 
-from gearwear.dynamics.motion_class import CHAOTIC
+from gearwear.codes.motion_class import CHAOTIC
 
 SMOKE = ("--configfile", "config/config.yaml", "config/smoke.yaml", "--set-scatter", "map=2", "--")
 MAPS = ("results/with/maps/wear.nc", "results/figures/map_ste.svg")

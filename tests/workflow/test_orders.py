@@ -2,7 +2,7 @@
 
 import pytest
 
-from gearwear.plumbing.orders import VARIABLE
+from gearwear.run.token import VARIABLE
 
 
 @pytest.fixture(scope="module")

@@ -8,9 +8,9 @@ import pytest
 import yaml
 from snakemake.utils import update_config
 
-from gearwear.orbits.codes import SPECIAL_POINTS
-from gearwear.plumbing import store
-from gearwear.plumbing.settings import check
+from gearwear.codes.branch_codes import SPECIAL_POINTS
+from gearwear.config.check import check
+from gearwear.io import store
 
 ROOT = Path(__file__).resolve().parents[2]
 PRESETS = sorted(path.stem for path in (ROOT / "config" / "presets").glob("*.yaml"))

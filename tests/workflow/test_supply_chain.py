@@ -27,7 +27,7 @@ RUNS = {
     "import_module",
 }
 FUNCTIONS_OF_OTHERS = {"re.compile"}  # of patterns
-EXCEPTIONS = {"gearwear/plumbing/orphans.py": ["ctypes"]}  # asks the kernel to end a job with its workflow
+EXCEPTIONS = {"src/gearwear/run/orphans.py": ["ctypes"]}  # asks the kernel to end a job with its workflow
 LOADERS = {"load", "load_all", "unsafe_load", "full_load", "Loader", "UnsafeLoader", "FullLoader"}
 
 

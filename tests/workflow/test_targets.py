@@ -5,15 +5,15 @@ import re
 
 import pytest
 
-from gearwear.plumbing import targets
-from gearwear.plumbing.closure import SCRIPTS
+from gearwear.run import help
+from gearwear.run.digest import SCRIPTS
 
 ROOT = SCRIPTS.parents[1]
 SNAKEFILE = ROOT / "Snakefile"
 
 
 def test_every_target_says_what_it_makes_and_what_it_costs():
-    found = targets.targets(SNAKEFILE)
+    found = help.targets(SNAKEFILE)
     assert [target.name for target in found] == re.findall(r"^rule (\w+):", SNAKEFILE.read_text(), flags=re.MULTILINE)
     for target in found:
         assert target.makes.endswith("."), target
@@ -21,7 +21,7 @@ def test_every_target_says_what_it_makes_and_what_it_costs():
 
 
 def test_readme_shows_the_help():
-    page = targets.page(SNAKEFILE)
+    page = help.page(SNAKEFILE)
     assert f"```text\n{page}```" in (ROOT / "README.md").read_text(encoding="utf-8"), f"README.md needs:\n{page}"
 
 
@@ -33,7 +33,7 @@ def test_help_works_beside_a_run_and_with_a_wrong_configuration(make_project):
         fcntl.flock(held, fcntl.LOCK_EX)
         run = project.snakemake("help")
     assert run.returncode == 0, run.stdout
-    assert targets.page(SNAKEFILE) in run.stdout
+    assert help.page(SNAKEFILE) in run.stdout
     assert not (project.folder / "results").exists()
 
 
@@ -50,4 +50,4 @@ def test_help_works_beside_a_run_and_with_a_wrong_configuration(make_project):
     ],
 )
 def test_help_is_asked_for_alone(arguments, asked):
-    assert targets.asked(arguments) is asked
+    assert help.asked(arguments) is asked

@@ -1,4 +1,4 @@
-from gearwear.plumbing.chains import blocks
+from gearwear.config.histories import blocks
 
 WEAR_CYCLES = config["jobs"]["wear_cycles"]
 UPDATES = {case: updates_of(config, case) for case in config["cases"]}

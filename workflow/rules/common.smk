@@ -2,14 +2,15 @@ from os.path import relpath
 
 from snakemake.exceptions import WorkflowError
 
-from gearwear.plumbing import orders, settings
-from gearwear.plumbing.chains import chain_of, chains, updates_of
-from gearwear.plumbing.bulk import resolved
-from gearwear.plumbing.closure import digest
-from gearwear.plumbing.members import hindrance, members, temperature_root
-from gearwear.plumbing.orphans import mark
-from gearwear.plumbing.runlock import NoLocks, RunningAlready, hold, only_looks
-from gearwear.plumbing.slices import slice_of
+from gearwear.config import check as settings
+from gearwear.run import token as orders
+from gearwear.config.histories import chain_of, chains, updates_of
+from gearwear.heat.bulk import resolved
+from gearwear.run.digest import digest
+from gearwear.config.members import hindrance, members, temperature_root
+from gearwear.run.orphans import mark
+from gearwear.run.lock import NoLocks, RunningAlready, hold, only_looks
+from gearwear.config.slices import slice_of
 
 # The wear chain is one path of five jobs a cycle; Snakemake walks it recursively.
 sys.setrecursionlimit(20000)

@@ -1,6 +1,6 @@
 from importlib.metadata import version
 
-from gearwear.plumbing.consistency import DRAWN_PORTRAITS
+from gearwear.config.rules import DRAWN_PORTRAITS
 
 PACKAGES = (
     "matplotlib",

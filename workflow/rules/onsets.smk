@@ -1,4 +1,4 @@
-from gearwear.onsets import ensemble
+from gearwear.config import ensemble
 
 SHIFTED = ("without", "with")
 

@@ -1,4 +1,4 @@
-from gearwear.sensitivity import variations
+from gearwear.config import variations
 
 
 def varied():

@@ -1,6 +1,6 @@
-from gearwear.plumbing.grids import combinations
-from gearwear.plumbing.members import overrides_of
-from gearwear.plumbing.schema import declared_at
+from gearwear.config.grids import combinations
+from gearwear.config.members import overrides_of
+from gearwear.config.declared import declared_at
 
 
 def combined(study):

@@ -3,7 +3,8 @@
 from typing import TYPE_CHECKING
 
 from gearwear.chain.geometry import geometry
-from gearwear.plumbing import stage, store
+from gearwear.io import store
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -12,10 +13,10 @@ if TYPE_CHECKING:
 def main(job):
     pair = geometry(job.params.cfg)
     ratio, mass = float(pair["contact_ratio"]), float(pair["equivalent_mass"])
-    stage.log.info("contact ratio %.4f, equivalent mass %.4f kg", ratio, mass)
+    job.log.info("contact ratio %.4f, equivalent mass %.4f kg", ratio, mass)
     store.save(pair, job)
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -5,12 +5,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from gearwear.attractors.chain import carried
-from gearwear.attractors.record import columns
-from gearwear.attractors.settling import Settling
-from gearwear.dynamics.excitation import rest_state, swept_oscillator
-from gearwear.dynamics.excitation_record import recorded
-from gearwear.plumbing import stage, store
+from gearwear.io import store
+from gearwear.motions.motion_variables import columns
+from gearwear.motions.settling import Settling
+from gearwear.motions.start import rest_state
+from gearwear.motions.sweep import carried
+from gearwear.oscillator.excitation import swept_oscillator
+from gearwear.oscillator.excitation_variables import recorded
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -29,11 +31,11 @@ def main(job):
 
     settling = Settling(**cfg["settling"])
     motions = carried(oscillators, rest, settling, dynamics["tolerance"])[along]
-    stage.log.info("%d points of %s swept %s", len(values), sweep, job.wildcards.order)
+    job.log.info("%d points of %s swept %s", len(values), sweep, job.wildcards.order)
     table = columns(motions, settling.sampled_periods, source.force_parameter)
     store.save(xr.Dataset(table, {sweep: ("point", values)}), job)
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

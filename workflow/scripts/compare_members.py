@@ -2,7 +2,8 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.plumbing import stage, store, tables
+from gearwear.io import store, tables
+from gearwear.run import job
 from gearwear.sensitivity import table
 
 if TYPE_CHECKING:
@@ -17,9 +18,9 @@ def main(job):
     tables.write_rows(rows, job.output.table)
     for row in rows:
         if row["hindrance"] != table.NOTHING:
-            stage.announce(f"{row['key']} {row['value']}: not possible: {row['hindrance']}")
+            job.announce(f"{row['key']} {row['value']}: not possible: {row['hindrance']}")
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

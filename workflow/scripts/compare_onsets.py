@@ -2,9 +2,11 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.onsets import ensemble, table
+from gearwear.config import ensemble
+from gearwear.io import store, tables
+from gearwear.onsets import table
 from gearwear.onsets.shifts import CASES, shifts
-from gearwear.plumbing import stage, store, tables
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -25,12 +27,12 @@ def main(job):
     tables.write_rows(rows, job.output.table)
     for row in rows:
         drawn = f"{row['percentile_5']} to {row['percentile_95']}"
-        stage.announce(
+        job.announce(
             f"{row['event']}: with less without {row['shift']}, {row['lowest']} to {row['highest']} over ways of "
             f"computing; ensemble {drawn}, {row['members_with_event']} of {row['members']} members"
         )
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

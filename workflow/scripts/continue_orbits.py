@@ -4,14 +4,15 @@ from typing import TYPE_CHECKING
 
 import xarray as xr
 
-from gearwear.dynamics.excitation import swept_oscillator
-from gearwear.dynamics.excitation_record import recorded
+from gearwear.io import store
+from gearwear.orbits.branch_variables import columns
 from gearwear.orbits.branches import explore
 from gearwear.orbits.continuation import Limits
-from gearwear.orbits.record import columns
 from gearwear.orbits.return_map import COARSEST, return_maps
 from gearwear.orbits.seeds import seeds_along
-from gearwear.plumbing import stage, store
+from gearwear.oscillator.excitation import swept_oscillator
+from gearwear.oscillator.excitation_variables import recorded
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -35,10 +36,10 @@ def main(job):
     maps = return_maps(oscillator_at, min(dynamics["tolerance"], COARSEST))
     branches = explore(maps, found, limits, branching["largest_period"])
     for branch in branches:
-        stage.log.info("period %d: from %s to %s", branch.period, branch.start.words, branch.end.words)
+        job.log.info("period %d: from %s to %s", branch.period, branch.start.words, branch.end.words)
     store.save(xr.Dataset(columns(branches, branching["largest_period"], sweep)).set_coords(sweep), job)
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -2,7 +2,8 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.plumbing import stage, store, tables
+from gearwear.io import store, tables
+from gearwear.run import job
 from gearwear.studies import table
 from gearwear.studies.gathering import axes_of, gathered
 from gearwear.studies.outcome import impossible
@@ -25,9 +26,9 @@ def main(job):
     lives = table.sentences(study, {key: cfg["units"].get(key, "") for key in axes})
     tables.write_rows(lives, job.output.lives)
     for life in lives:
-        stage.announce(life["sentence"])
+        job.announce(life["sentence"])
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -4,9 +4,10 @@ from typing import TYPE_CHECKING
 
 import xarray as xr
 
-from gearwear.dynamics.excitation_record import columns
-from gearwear.dynamics.given import given_excitation
-from gearwear.plumbing import stage, store
+from gearwear.io import store
+from gearwear.oscillator.excitation_variables import columns
+from gearwear.oscillator.prescribed import given_excitation
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -18,5 +19,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

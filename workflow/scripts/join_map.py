@@ -5,15 +5,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from gearwear.attractors import plane
-from gearwear.plumbing import stage, store
+from gearwear.io import store
+from gearwear.motions import parameter_map
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
 
 
 def main(job):
-    coordinate = plane.COORDINATES[job.wildcards.map]
+    coordinate = parameter_map.COORDINATES[job.wildcards.map]
     tiles = [store.load(path) for path in job.input.tiles]
     whole = xr.concat([tile for tile in tiles if tile.sizes["row"]], dim="row").sortby(coordinate)
     if (np.diff(whole[coordinate].values) <= 0).any():
@@ -22,5 +23,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 import yaml
 
 from gearwear.claims import scorecard
-from gearwear.plumbing import stage, store, tables
+from gearwear.io import store, tables
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -38,9 +39,9 @@ def main(job):
     diagonal = [(state["case"], state["cycle"]) for state in job.params.cfg["states"]]
     rows = scorecard.evaluate(claims, results, diagonal)
     tables.write_rows(rows, job.output[0])
-    stage.announce(f"Claims of the paper: {scorecard.summary(rows)}.")
+    job.announce(f"Claims of the paper: {scorecard.summary(rows)}.")
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

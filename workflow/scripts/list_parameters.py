@@ -3,7 +3,9 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gearwear.plumbing import origins, parameters, stage, tables
+from gearwear.config import listing, origins
+from gearwear.io import tables
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -14,9 +16,9 @@ def main(job):
     files = [Path(file) for file in job.input.files]
     layers = [origins.file_layer(file.name, file.read_text(encoding="utf-8")) for file in files]
     layers.append(origins.command_line_layer(cfg["command_line"]))
-    tables.write(job, "parameters", parameters.COLUMNS, parameters.rows(cfg["configuration"], layers))
+    tables.write(job, "parameters", listing.COLUMNS, listing.rows(cfg["configuration"], layers))
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

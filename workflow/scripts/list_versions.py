@@ -2,7 +2,8 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.plumbing import stage, tables
+from gearwear.io import tables
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -13,5 +14,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

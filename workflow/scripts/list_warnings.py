@@ -2,8 +2,9 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.plumbing import stage, store, tables
-from gearwear.trust import ranges
+from gearwear.io import store, tables
+from gearwear.run import job
+from gearwear.validity import ranges
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -23,10 +24,10 @@ def measured(job):
 def main(job):
     rows = ranges.rows(measured(job))
     for row in rows:
-        stage.announce(ranges.sentence(row))
+        job.announce(ranges.sentence(row))
     tables.write(job, "warnings", ranges.COLUMNS, rows)
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -4,12 +4,13 @@ from typing import TYPE_CHECKING
 
 import xarray as xr
 
-from gearwear.attractors.settling import Settling
-from gearwear.dynamics.excitation_record import recorded
+from gearwear.codes.onset_codes import EVENTS
+from gearwear.io import store
+from gearwear.motions.settling import Settling
 from gearwear.onsets import route
-from gearwear.onsets.codes import EVENTS
-from gearwear.onsets.record import columns
-from gearwear.plumbing import stage, store
+from gearwear.onsets.onset_variables import columns
+from gearwear.oscillator.excitation_variables import recorded
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -22,10 +23,10 @@ def main(job):
     state = route.State(source, dynamics, Settling(**cfg["settling"]), store.load(job.input.branches))
     events = route.along(state, store.load(job.input.sweep), cfg["sweeps"]["order"], cfg["onsets"]["refinement"])
     for name, event in zip(EVENTS, events, strict=True):
-        stage.log.info("%s: %.6f, %s", name, event.value, event.remark)
+        job.log.info("%s: %.6f, %s", name, event.value, event.remark)
     store.save(xr.Dataset(columns([events])).set_coords("event"), job)
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -5,12 +5,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from gearwear.attractors.basin_record import basin_columns
-from gearwear.attractors.basins import basins, cell_centres
-from gearwear.attractors.settling import Settling
-from gearwear.dynamics.excitation import swept_oscillator
-from gearwear.dynamics.excitation_record import recorded
-from gearwear.plumbing import stage, store
+from gearwear.io import store
+from gearwear.motions.basin_variables import basin_columns
+from gearwear.motions.basins import basins, cell_centres
+from gearwear.motions.settling import Settling
+from gearwear.oscillator.excitation import swept_oscillator
+from gearwear.oscillator.excitation_variables import recorded
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -33,7 +34,7 @@ def main(job):
     for value in values:
         oscillator = swept_oscillator(source, sweep, float(value), dynamics, swept)
         found.append(basins(oscillator, states, settling, dynamics["tolerance"]))
-        stage.log.info("%s %g: shares %s", sweep, value, ", ".join(f"{share:.3f}" for share in found[-1].shares))
+        job.log.info("%s %g: shares %s", sweep, value, ", ".join(f"{share:.3f}" for share in found[-1].shares))
     shape = len(displacement), len(velocity)
     table = basin_columns(found, shape, settling.sampled_periods, source.force_parameter)
     table["initial_displacement"] = ("displacement_cell", displacement)
@@ -43,5 +44,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

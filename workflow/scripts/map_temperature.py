@@ -2,11 +2,12 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.attractors import plane
 from gearwear.chain.record import state_at
-from gearwear.dynamics.excitation import excitation
-from gearwear.dynamics.parts import indices
-from gearwear.plumbing import stage, store
+from gearwear.io import store
+from gearwear.motions import parameter_map
+from gearwear.oscillator.excitation import excitation
+from gearwear.run import job
+from gearwear.run.parts import indices
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -14,7 +15,10 @@ if TYPE_CHECKING:
 
 def main(job):
     cfg, dynamics = job.params.cfg["map"], job.params.cfg["map"]["dynamics"]
-    frequencies, rows = plane.values(cfg["maps"]["mesh_frequency"]), plane.values(cfg["maps"]["temperature"])
+    frequencies, rows = (
+        parameter_map.values(cfg["maps"]["mesh_frequency"]),
+        parameter_map.values(cfg["maps"]["temperature"]),
+    )
     rows = rows[indices(len(rows), job.wildcards.scatteritem)]
 
     def row(path, temperature):
@@ -26,11 +30,11 @@ def main(job):
         source = excitation(chain, state, reference, cfg["operation"]["pinion_torque"], dynamics)
         return source, [source.oscillator(dynamics, one) for one in frequencies]
 
-    stage.log.info("%d rows of the map over temperature", len(rows))
+    job.log.info("%d rows of the map over temperature", len(rows))
     found = (row(*one) for one in zip(job.input.chains, rows, strict=True))
-    store.save(plane.tile("temperature", rows, frequencies, found, cfg), job)
+    store.save(parameter_map.tile("temperature", rows, frequencies, found, cfg), job)
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -5,10 +5,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gearwear.attractors import plane
-from gearwear.dynamics.excitation import excitation, swept_oscillator
-from gearwear.dynamics.parts import indices
-from gearwear.plumbing import stage, store
+from gearwear.io import store
+from gearwear.motions import parameter_map
+from gearwear.oscillator.excitation import excitation, swept_oscillator
+from gearwear.run import job
+from gearwear.run.parts import indices
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -17,11 +18,11 @@ if TYPE_CHECKING:
 def main(job):
     cfg, geometry, name = job.params.cfg, store.load(job.input.geometry), job.wildcards.map
     dynamics, torque = cfg["dynamics"], cfg["operation"]["pinion_torque"]
-    frequencies = plane.values(cfg["maps"]["mesh_frequency"])
+    frequencies = parameter_map.values(cfg["maps"]["mesh_frequency"])
     if name == "wear":
         rows = np.array([float(store.load(path)["running_cycles"]) for path in job.input.wear])
     else:
-        rows = plane.values(cfg["maps"][name])
+        rows = parameter_map.values(cfg["maps"][name])
         rows = rows[indices(len(rows), job.wildcards.scatteritem)]
 
     def row(place, value):
@@ -32,9 +33,9 @@ def main(job):
         settings = [swept | {"mesh_frequency": one} for one in frequencies]
         return source, [swept_oscillator(source, name, value, dynamics, one) for one in settings]
 
-    stage.log.info("%d rows of the map over %s", len(rows), name)
+    job.log.info("%d rows of the map over %s", len(rows), name)
     found = (row(place, value) for place, value in enumerate(rows))
-    store.save(plane.tile(name, rows, frequencies, found, cfg), job)
+    store.save(parameter_map.tile(name, rows, frequencies, found, cfg), job)
 
 
 def _state_of(inputs, place: int) -> SimpleNamespace:
@@ -44,5 +45,5 @@ def _state_of(inputs, place: int) -> SimpleNamespace:
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -7,12 +7,13 @@ import xarray as xr
 
 from gearwear.chain.geometry import geometry
 from gearwear.chain.states import last_state
-from gearwear.dynamics.excitation import excitation
-from gearwear.onsets import whole_route
-from gearwear.onsets.codes import ORDERS
-from gearwear.onsets.record import columns
+from gearwear.codes.onset_codes import ORDERS
+from gearwear.io import store
+from gearwear.onsets import route_to_chaos
+from gearwear.onsets.onset_variables import columns
 from gearwear.onsets.shifts import CASES
-from gearwear.plumbing import stage, store
+from gearwear.oscillator.excitation import excitation
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -26,13 +27,13 @@ def main(job):
     for case in CASES:
         state = last_state(cfg, pair, case, reference)
         source = excitation(pair, state, reference, cfg["operation"]["pinion_torque"], dynamics)
-        sweeps = [whole_route.swept(cfg, source, one) for one in sorted(ORDERS, key=lambda one: one != order)]
-        events = whole_route.events(cfg, source, sweeps, cfg["branches"]["largest_period"])
-        stage.log.info("case %s: %s", case, ", ".join(f"{event.value:.6f}" for event in events))
+        sweeps = [route_to_chaos.swept(cfg, source, one) for one in sorted(ORDERS, key=lambda one: one != order)]
+        events = route_to_chaos.events(cfg, source, sweeps, cfg["branches"]["largest_period"])
+        job.log.info("case %s: %s", case, ", ".join(f"{event.value:.6f}" for event in events))
         found.append(xr.Dataset(columns([events])).set_coords("event"))
     store.save(xr.concat(found, dim="case").assign_coords(case=np.array(CASES, dtype=object)), job)
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

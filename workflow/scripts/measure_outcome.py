@@ -2,7 +2,8 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.plumbing import stage, store
+from gearwear.io import store
+from gearwear.run import job
 from gearwear.studies.outcome import outcome
 
 if TYPE_CHECKING:
@@ -12,10 +13,10 @@ if TYPE_CHECKING:
 def main(job):
     found = outcome(job.params.cfg["outcome"], store.load(job.input.chain), job.params.cfg["update"])
     if hindrance := found["hindrance"].item():
-        stage.announce(f"{job.output[0]}: this combination cannot be: {hindrance}")
+        job.announce(f"{job.output[0]}: this combination cannot be: {hindrance}")
     store.save(found, job)
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

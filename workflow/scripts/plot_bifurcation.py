@@ -6,10 +6,11 @@ from typing import TYPE_CHECKING
 import xarray as xr
 import yaml
 
-from gearwear.drawing import bifurcation
-from gearwear.drawing.sheet import DOUBLE, sheet
-from gearwear.orbits.record import columns
-from gearwear.plumbing import stage, store
+from gearwear.figures import bifurcation
+from gearwear.figures.sheet import DOUBLE, sheet
+from gearwear.io import store
+from gearwear.orbits.branch_variables import columns
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -39,5 +40,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -2,9 +2,9 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.drawing import validation
-from gearwear.drawing.sheet import DOUBLE, sheet
-from gearwear.plumbing import stage
+from gearwear.figures import validation
+from gearwear.figures.sheet import DOUBLE, sheet
+from gearwear.run import job
 from gearwear.validation import outcomes
 from gearwear.validation.checks import read
 
@@ -19,5 +19,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -2,9 +2,10 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.drawing import legend, path_axis, phase_axis, states
-from gearwear.drawing.sheet import DOUBLE, letter, sheet
-from gearwear.plumbing import stage, store
+from gearwear.figures import legend, path_axis, phase_axis, states
+from gearwear.figures.sheet import DOUBLE, letter, sheet
+from gearwear.io import store
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -31,5 +32,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -4,10 +4,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gearwear.claims.path_measures import path_mean
-from gearwear.drawing import legend, path_axis, states
-from gearwear.drawing.sheet import DOUBLE, letter, sheet
-from gearwear.plumbing import stage, store
+from gearwear.figures import legend, path_axis, states
+from gearwear.figures.sheet import DOUBLE, letter, sheet
+from gearwear.geometry.path_mean import path_mean
+from gearwear.io import store
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -59,5 +60,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -4,10 +4,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gearwear.drawing import mesh_force, motion_classes
-from gearwear.drawing.sheet import DOUBLE, sheet
-from gearwear.dynamics.spectrum import spectrum
-from gearwear.plumbing import stage, store
+from gearwear.figures import mesh_force, motion_classes
+from gearwear.figures.sheet import DOUBLE, sheet
+from gearwear.io import store
+from gearwear.oscillator.spectrum import spectrum
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -38,5 +39,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

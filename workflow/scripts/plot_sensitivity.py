@@ -2,9 +2,10 @@
 
 from typing import TYPE_CHECKING
 
-from gearwear.drawing import sensitivity
-from gearwear.drawing.sheet import DOUBLE, sheet
-from gearwear.plumbing import stage, store
+from gearwear.figures import sensitivity
+from gearwear.figures.sheet import DOUBLE, sheet
+from gearwear.io import store
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -17,5 +18,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

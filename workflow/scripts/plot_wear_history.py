@@ -4,10 +4,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from gearwear.drawing import history
-from gearwear.drawing.sheet import DOUBLE, sheet
-from gearwear.dynamics.harmonics import mean_over_mesh
-from gearwear.plumbing import stage, store
+from gearwear.figures import history
+from gearwear.figures.sheet import DOUBLE, sheet
+from gearwear.io import store
+from gearwear.oscillator.harmonics import mean_over_mesh
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -40,5 +41,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -3,7 +3,8 @@
 from typing import TYPE_CHECKING
 
 from gearwear.chain.record import record
-from gearwear.plumbing import stage, store
+from gearwear.io import store
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -12,10 +13,10 @@ if TYPE_CHECKING:
 def main(job):
     chain = record(job.params.cfg["chain"], job.params.cfg["updates"])
     if hindrance := chain["hindrance"].item():
-        stage.log.info("wear cycle %d cannot be: %s", chain.sizes.get("wear_cycle", 0), hindrance)
+        job.log.info("wear cycle %d cannot be: %s", chain.sizes.get("wear_cycle", 0), hindrance)
     store.save(chain, job)
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -3,7 +3,8 @@
 from typing import TYPE_CHECKING
 
 from gearwear.chain.sharing import transmission_error
-from gearwear.plumbing import stage, store
+from gearwear.io import store
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -14,10 +15,10 @@ def main(job):
     geometry, *others = (store.load(job.input[name]) for name in names)
     mesh = transmission_error(job.params.cfg, geometry, *others)
     mean = mesh["transmission_error"].values @ geometry["mesh_phase_width"].values
-    stage.log.info("mean transmission error %.3f um", 1e6 * mean)
+    job.log.info("mean transmission error %.3f um", 1e6 * mean)
     store.save(mesh, job)
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 import yaml
 
-from gearwear.drawing import scorecard
-from gearwear.plumbing import stage, store
+from gearwear.figures import scorecard
+from gearwear.io import store
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -24,5 +25,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

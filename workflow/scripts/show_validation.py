@@ -3,8 +3,9 @@
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gearwear.drawing import validation_page
-from gearwear.plumbing import stage, store, tables
+from gearwear.figures import validation_page
+from gearwear.io import store, tables
+from gearwear.run import job
 from gearwear.validation import outcomes
 from gearwear.validation.checks import read, titles
 
@@ -21,9 +22,9 @@ def main(job):
     tables.write_rows(rows, job.output.table)
     with store.atomic(job.output.page) as html:
         Path(html).write_text(page, encoding="utf-8")
-    stage.announce(f"Validation: {outcomes.summary(found)}.")
+    job.announce(f"Validation: {outcomes.summary(found)}.")
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -3,7 +3,8 @@
 from typing import TYPE_CHECKING
 
 from gearwear.chain.pristine import unworn
-from gearwear.plumbing import stage, store
+from gearwear.io import store
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -14,5 +15,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -5,12 +5,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from gearwear.attractors.record import columns
-from gearwear.attractors.settling import Settling, settle_many
-from gearwear.dynamics.excitation import rest_state, swept_oscillator
-from gearwear.dynamics.excitation_record import recorded
-from gearwear.dynamics.parts import indices
-from gearwear.plumbing import stage, store
+from gearwear.io import store
+from gearwear.motions.motion_variables import columns
+from gearwear.motions.settling import Settling, settle_many
+from gearwear.motions.start import rest_state
+from gearwear.oscillator.excitation import swept_oscillator
+from gearwear.oscillator.excitation_variables import recorded
+from gearwear.run import job
+from gearwear.run.parts import indices
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -26,11 +28,11 @@ def main(job):
     oscillators = [swept_oscillator(source, sweep, float(values[i]), dynamics, swept) for i in own]
     begins = [rest_state(source, oscillator, dynamics) for oscillator in oscillators]
     motions = settle_many(oscillators, begins, settling, dynamics["tolerance"])
-    stage.log.info("%d points of %s swept", len(own), sweep)
+    job.log.info("%d points of %s swept", len(own), sweep)
     table = columns(motions, settling.sampled_periods, source.force_parameter)
     store.save(xr.Dataset(table, {sweep: ("point", values[own])}), job)
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -5,10 +5,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from gearwear.dynamics.excitation import restoring_force, swept_oscillator
-from gearwear.dynamics.excitation_record import recorded
-from gearwear.dynamics.motion import trace
-from gearwear.plumbing import stage, store
+from gearwear.integrate.strobe import trace
+from gearwear.io import store
+from gearwear.oscillator.excitation import restoring_force, swept_oscillator
+from gearwear.oscillator.excitation_variables import recorded
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -36,7 +37,7 @@ def main(job):
         force = restoring_force(oscillator, phases, motion[0]) / source.force_parameter
         for orbit, run in zip(orbits[:, i], (*motion, force), strict=True):
             orbit[: periods * STEPS + 1] = run.ravel()[: periods * STEPS + 1]
-    stage.log.info("%d motions of %s traced", points.sizes["point"], sweep)
+    job.log.info("%d motions of %s traced", points.sizes["point"], sweep)
     names = ("orbit_displacement", "orbit_velocity", "orbit_force")
     table = {name: (("point", "time"), orbit) for name, orbit in zip(names, orbits, strict=True)}
     if np.isfinite(source.natural_frequency):
@@ -46,5 +47,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -5,12 +5,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from gearwear.attractors.record import columns, end_of
-from gearwear.attractors.settling import Settling, settle
-from gearwear.dynamics.excitation import rest_state, swept_oscillator
-from gearwear.dynamics.excitation_record import recorded
-from gearwear.dynamics.motion import trace
-from gearwear.plumbing import stage, store
+from gearwear.integrate.strobe import trace
+from gearwear.io import store
+from gearwear.motions.motion_variables import columns, end_of
+from gearwear.motions.settling import Settling, settle
+from gearwear.motions.start import rest_state
+from gearwear.oscillator.excitation import swept_oscillator
+from gearwear.oscillator.excitation_variables import recorded
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -39,7 +41,7 @@ def main(job):
         runs = trace(oscillator, end_of(motion), phases, periods + 1, reached, dynamics["tolerance"])
         for orbit, run in zip(orbits[:, i], runs, strict=True):
             orbit[: periods * STEPS + 1] = run.ravel()[: periods * STEPS + 1]
-    stage.log.info("%d portraits of %s traced", len(values), sweep)
+    job.log.info("%d portraits of %s traced", len(values), sweep)
     table = columns(motions, settling.sampled_periods, source.force_parameter)
     table["orbit_displacement"] = (("point", "time"), orbits[0])
     table["orbit_velocity"] = (("point", "time"), orbits[1])
@@ -48,5 +50,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -5,12 +5,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
-from gearwear.attractors.settling import Settling
-from gearwear.dynamics.excitation_record import recorded
+from gearwear.codes.onset_codes import ORDERS, VARIANTS
+from gearwear.io import store
+from gearwear.motions.settling import Settling
 from gearwear.onsets import route
-from gearwear.onsets.codes import ORDERS, VARIANTS
-from gearwear.onsets.record import columns
-from gearwear.plumbing import stage, store
+from gearwear.onsets.onset_variables import columns
+from gearwear.oscillator.excitation_variables import recorded
+from gearwear.run import job
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -25,11 +26,11 @@ def main(job):
     ways = {order: route.along(state, sweeps[order], order, refinement) for order in ORDERS}
     ways |= route.varied(state, sweeps["restart"], ways["restart"], refinement)
     for name, events in ways.items():
-        stage.log.info("%s: %s", name, ", ".join(f"{event.seen:.6f}" for event in events))
+        job.log.info("%s: %s", name, ", ".join(f"{event.seen:.6f}" for event in events))
     table = columns([ways[name] for name in VARIANTS]) | {"variant": ("variant", np.array(VARIANTS, dtype=object))}
     store.save(xr.Dataset(table).set_coords(["event", "variant"]), job)
 
 
 if __name__ == "__main__":
-    with stage.logged(snakemake, __file__):
+    with job.logged(snakemake, __file__):
         main(snakemake)

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from gearwear.plumbing.settings import check
+from gearwear.config.check import check
 
 
 @pytest.fixture(scope="session")

@@ -1,11 +1,7 @@
 import numpy as np
 import pytest
 
-from gearwear.claims.events import (
-    chaos_earlier_with_temperature_and_wear,
-    find_event,
-    judge_event,
-)
+from gearwear.claims.events import chaos_earlier_with_temperature_and_wear, find_event, judge_event
 from gearwear.claims.study import Undecided
 from gearwear.claims.sweeps import Sweep
 

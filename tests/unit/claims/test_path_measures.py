@@ -2,8 +2,9 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from gearwear.claims.path_measures import double_contact, jump_ratios, jumps_everywhere, path_mean
+from gearwear.claims.path_measures import double_contact, jump_ratios, jumps_everywhere
 from gearwear.claims.study import Undecided
+from gearwear.geometry.path_mean import path_mean
 
 
 def test_mean_weighs_by_length_and_ignores_doubled_nodes():

@@ -4,7 +4,7 @@ import pytest
 import yaml
 
 from gearwear.claims.scorecard import evaluate, expectation, summary
-from gearwear.plumbing.tables import write_rows
+from gearwear.io.tables import write_rows
 
 DIAGONAL = [("without", 0), ("middle", 1), ("with", 2)]
 ROOT = Path(__file__).parents[3]

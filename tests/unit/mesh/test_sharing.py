@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from gearwear.dynamics.harmonics import mean_over_mesh
 from gearwear.geometry.contact_path import contact_path
 from gearwear.geometry.deviations import spacing, tip_relief
 from gearwear.mesh.sharing import Springs, removed_by_heat, share, transmission
 from gearwear.mesh.stiffness import Flanks, mesh_stiffness, pair_stiffness
+from gearwear.oscillator.harmonics import mean_over_mesh
 
 SETTINGS = {
     "cantilever": "base",

@@ -6,10 +6,10 @@ from functools import partial
 import numpy as np
 import pytest
 
-from gearwear.dynamics.harmonics import harmonics
 from gearwear.geometry.kinematics import curvature
 from gearwear.mesh.cantilever import load_angle, tooth_compliance
 from gearwear.mesh.stiffness import Flanks, mesh_stiffness, pair_stiffness
+from gearwear.oscillator.harmonics import harmonics
 
 PLAIN = {
     "cantilever": "base",

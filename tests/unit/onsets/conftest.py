@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from gearwear.onsets.codes import EVENTS
-from gearwear.orbits.codes import NONE
+from gearwear.codes.branch_codes import NONE
+from gearwear.codes.onset_codes import EVENTS
 
 
 @pytest.fixture

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from gearwear.codes.onset_codes import ABSENT, BELOW_RANGE, MET
 from gearwear.onsets.chaos import onset_of_chaos
-from gearwear.onsets.codes import ABSENT, BELOW_RANGE, MET
 
 VALUES = np.linspace(1.0, 2.0, 11)
 LATE = [1, 1, 101, 1, 1, 8, 101, 101, 101, 101, 101]

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from gearwear.onsets.codes import ABSENT, MET, PASSED_BY
+from gearwear.codes.branch_codes import FOLD, PERIOD_DOUBLING
+from gearwear.codes.onset_codes import ABSENT, MET, PASSED_BY
 from gearwear.onsets.doublings import ACCURACY, Doubling, doublings, onset_of_doubling
-from gearwear.orbits.codes import FOLD, PERIOD_DOUBLING
 
 VALUES = np.arange(1.0, 2.0, 0.1)
 

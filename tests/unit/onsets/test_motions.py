@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 
-from gearwear.attractors.settling import Settling, settle
-from gearwear.dynamics.excitation import Excitation, rest_state
-from gearwear.dynamics.motion import GENERAL
-from gearwear.dynamics.periodic import Harmonics
+from gearwear.integrate.strobe import GENERAL
+from gearwear.motions.settling import Settling, settle
+from gearwear.motions.start import rest_state
 from gearwear.onsets import motions
+from gearwear.oscillator.excitation import Excitation
+from gearwear.oscillator.periodic import Harmonics
 
 SETTLING = Settling(200, 800, 160, 16, 1e-7, 3e-3)
 DYNAMICS = {

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from gearwear.onsets.codes import BELOW_RANGE, EVENTS, MET, PASSED_BY, VARIANTS
+from gearwear.codes.onset_codes import BELOW_RANGE, EVENTS, MET, PASSED_BY, VARIANTS
 from gearwear.onsets.shifts import drawn, shifts, spread
 
 NAN = np.nan

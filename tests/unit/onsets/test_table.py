@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from gearwear.codes.onset_codes import VARIANTS
 from gearwear.onsets import table
-from gearwear.onsets.codes import VARIANTS
 from gearwear.onsets.shifts import shifts
 
 NAN = np.nan

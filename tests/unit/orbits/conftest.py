@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from gearwear.dynamics.oscillator import Oscillator
-from gearwear.dynamics.periodic import Harmonics
 from gearwear.orbits.return_map import Passage
+from gearwear.oscillator.oscillator import Oscillator
+from gearwear.oscillator.periodic import Harmonics
 
 
 @pytest.fixture(scope="session")

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from gearwear.codes.branch_codes import FOLD, HALVED, NONE, PERIOD_DOUBLING
 from gearwear.orbits.branches import NO_PARENT, Seed, explore, follow, follow_doubled, holds
-from gearwear.orbits.codes import FOLD, HALVED, NONE, PERIOD_DOUBLING
 from gearwear.orbits.continuation import Limits
 from gearwear.orbits.newton import minimal_period, periodic_orbit
 from gearwear.orbits.return_map import return_maps

@@ -5,13 +5,23 @@ import math
 import numpy as np
 import pytest
 
-from gearwear.dynamics.oscillator import Oscillator
-from gearwear.dynamics.periodic import Harmonics
+from gearwear.codes.branch_codes import (
+    CLOSED,
+    FOLD,
+    HALVED,
+    NODE_LIMIT,
+    NONE,
+    PERIOD_DOUBLING,
+    RANGE_END,
+    STOPPED,
+    TORUS,
+)
 from gearwear.orbits.branches import follow
-from gearwear.orbits.codes import CLOSED, FOLD, HALVED, NODE_LIMIT, NONE, PERIOD_DOUBLING, RANGE_END, STOPPED, TORUS
 from gearwear.orbits.continuation import Limits
 from gearwear.orbits.newton import Orbit, periodic_orbit
 from gearwear.orbits.return_map import return_maps
+from gearwear.oscillator.oscillator import Oscillator
+from gearwear.oscillator.periodic import Harmonics
 
 
 def specials(branch):

@@ -6,8 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from gearwear.dynamics.motion import strobe
-from gearwear.dynamics.oscillator import ExternalTorque, Oscillator
+from gearwear.integrate.strobe import strobe
 from gearwear.orbits.newton import (
     FOUND,
     MOTION_LOST,
@@ -18,6 +17,7 @@ from gearwear.orbits.newton import (
     periodic_orbit,
 )
 from gearwear.orbits.return_map import return_maps
+from gearwear.oscillator.oscillator import ExternalTorque, Oscillator
 
 
 @pytest.mark.parametrize("zeta", [0.02, 0.3])

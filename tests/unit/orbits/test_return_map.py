@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from gearwear.dynamics.motion import monodromy
-from gearwear.dynamics.oscillator import ExternalTorque, Oscillator
+from gearwear.integrate.strobe import monodromy
 from gearwear.orbits.return_map import return_maps
+from gearwear.oscillator.oscillator import ExternalTorque, Oscillator
 
 
 def test_the_map_is_that_of_the_motion(large_fluctuation):

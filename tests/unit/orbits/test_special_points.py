@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gearwear.orbits.codes import FOLD, PERIOD_DOUBLING, TORUS
+from gearwear.codes.branch_codes import FOLD, PERIOD_DOUBLING, TORUS
 from gearwear.orbits.special_points import crossings, margins
 
 

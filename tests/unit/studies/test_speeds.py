@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from gearwear.dynamics.motion_class import CHAOTIC, NOT_CONVERGED
+from gearwear.codes.motion_class import CHAOTIC, NOT_CONVERGED
 from gearwear.studies.speeds import contact_limit, intervals, peak, period_one_limit
 
 ORDERS = ("restart", "up", "down")

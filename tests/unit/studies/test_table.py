@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gearwear.dynamics.motion_class import CHAOTIC
+from gearwear.codes.motion_class import CHAOTIC
 from gearwear.studies import table
 from gearwear.studies.gathering import gathered
 from gearwear.studies.outcome import impossible

@@ -2,7 +2,7 @@
 
 import pytest
 
-from gearwear.plumbing.tables import write_rows
+from gearwear.io.tables import write_rows
 from gearwear.validation import outcomes
 from gearwear.validation.checks import Check
 from gearwear.validation.outcomes import AGREES, DIFFERS, Outcome

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from gearwear.contact.hertz import hertz_half_width, hertz_peak_pressure
 from gearwear.wear.archard import boundary_wear_coefficient, film_factor, wear_per_revolution
-from gearwear.wear.film import hertz_half_width, hertz_peak_pressure
 
 MODULUS, WIDTH, VISCOSITY = 2.2637e11, 16e-3, 0.0094
 LUBRICANT = {"pressure_viscosity": 2.0e-8, "composite_roughness": 0.5e-6}

@@ -1,0 +1,1 @@
+"""Stages of the wear history: from settings and datasets to a dataset."""

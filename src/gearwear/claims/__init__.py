@@ -1,0 +1,1 @@
+"""Statements of the reference paper and how the results agree with them."""

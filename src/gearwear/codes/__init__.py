@@ -1,0 +1,1 @@
+"""Flag codes of the result files: motion classes, bifurcations, onsets."""

@@ -1,0 +1,1 @@
+"""Declaration, reading and checking of the configuration."""

@@ -1,0 +1,1 @@
+"""Tribology of the tooth contact: Hertz contact, oil, film, friction, flash temperature."""

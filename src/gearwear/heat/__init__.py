@@ -1,0 +1,1 @@
+"""Heat balance of the gear pair and thermal growth of the flanks."""

@@ -1,0 +1,1 @@
+"""Integrators of the equation of motion."""

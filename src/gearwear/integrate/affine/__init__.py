@@ -1,0 +1,1 @@
+"""Exact integrator of the piecewise-linear oscillator: one affine map for each cell of the forcing period."""

@@ -1,0 +1,1 @@
+"""Adaptive Runge-Kutta integrator of order 5(4)."""

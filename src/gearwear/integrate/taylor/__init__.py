@@ -1,0 +1,1 @@
+"""Power-series integrator of the translational oscillator."""

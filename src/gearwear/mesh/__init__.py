@@ -1,0 +1,1 @@
+"""Mesh stiffness, load sharing, transmission error, backlash."""

@@ -1,0 +1,1 @@
+"""Settled motions: classes, sweeps, basins of attraction, maps."""

@@ -1,0 +1,1 @@
+"""Onsets of period doublings and of chaos."""

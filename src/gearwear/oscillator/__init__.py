@@ -1,0 +1,1 @@
+"""The nonlinear oscillator of the gear mesh and its excitation."""

@@ -1,0 +1,1 @@
+"""Effect of every option and open parameter on the results."""

@@ -1,0 +1,1 @@
+"""Comparison with standards, closed forms and other programs."""

@@ -1,0 +1,1 @@
+"""Ranges within which the laws of the model hold."""

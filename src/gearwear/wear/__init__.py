@@ -1,0 +1,1 @@
+"""Wear of the flanks."""

@@ -1,1 +1,0 @@
-"""Attractors: what a motion settles to, its class and the evidence for it."""

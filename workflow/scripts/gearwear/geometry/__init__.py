@@ -1,1 +1,0 @@
-"""Tooth profile, contact path and inertia of the gear pair."""

@@ -1,1 +1,0 @@
-"""Mesh stiffness, load sharing, static transmission error and backlash."""

@@ -1,1 +1,0 @@
-"""What the stages share: settings, provenance, files, logs."""

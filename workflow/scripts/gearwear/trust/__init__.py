@@ -1,1 +1,0 @@
-"""Ranges within which the laws of the model are known to hold."""

@@ -1,1 +1,0 @@
-"""Checks of the program against published, independent and closed-form numbers, and their verdicts."""

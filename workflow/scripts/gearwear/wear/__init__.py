@@ -1,1 +1,0 @@
-"""Film thickness, wear coefficient and the wear depth of the flanks."""
