@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from gearwear.run import job
+from gearwear.run import stage
 from gearwear.run.digest import SCRIPTS
 
 
@@ -79,7 +79,9 @@ def copied(filled, tmp_path_factory):
 @pytest.fixture
 def tell(monkeypatch):
     """Return a function that runs a job in the current folder and tells what went wrong: its log and the screen."""
-    monkeypatch.setattr(job, "end_with_workflow", lambda: None)  # the test must not be bound to the life of its parent
+    monkeypatch.setattr(
+        stage, "end_with_workflow", lambda: None
+    )  # the test must not be bound to the life of its parent
 
     def run(one: Job) -> str:
         screen = io.StringIO()
@@ -87,7 +89,7 @@ def tell(monkeypatch):
             here.setattr(sys, "__stderr__", screen)
             here.setattr(sys, "__stdout__", screen)
             try:
-                with job.logged(one.job, str(SCRIPTS / f"{one.script}.py")):
+                with stage.logged(one.job, str(SCRIPTS / f"{one.script}.py")):
                     importlib.import_module(one.script).main(one.job)
             except SystemExit as end:
                 return Path(one.job.log[0]).read_text() + screen.getvalue() + str(end)

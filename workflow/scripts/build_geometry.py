@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from gearwear.chain.geometry import geometry
 from gearwear.io import store
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -13,10 +13,10 @@ if TYPE_CHECKING:
 def main(job):
     pair = geometry(job.params.cfg)
     ratio, mass = float(pair["contact_ratio"]), float(pair["equivalent_mass"])
-    job.log.info("contact ratio %.4f, equivalent mass %.4f kg", ratio, mass)
+    stage.log.info("contact ratio %.4f, equivalent mass %.4f kg", ratio, mass)
     store.save(pair, job)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -12,7 +12,7 @@ from gearwear.motions.start import rest_state
 from gearwear.motions.sweep import carried
 from gearwear.oscillator.excitation import swept_oscillator
 from gearwear.oscillator.excitation_variables import recorded
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -31,11 +31,11 @@ def main(job):
 
     settling = Settling(**cfg["settling"])
     motions = carried(oscillators, rest, settling, dynamics["tolerance"])[along]
-    job.log.info("%d points of %s swept %s", len(values), sweep, job.wildcards.order)
+    stage.log.info("%d points of %s swept %s", len(values), sweep, job.wildcards.order)
     table = columns(motions, settling.sampled_periods, source.force_parameter)
     store.save(xr.Dataset(table, {sweep: ("point", values)}), job)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

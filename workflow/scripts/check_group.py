@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from gearwear.io import tables
-from gearwear.run import job
+from gearwear.run import stage
 from gearwear.validation import outcomes
 from gearwear.validation.checks import read
 from gearwear.validation.groups import QUANTITIES
@@ -17,9 +17,9 @@ def main(job):
     checks = [check for check in read(job.input.checks) if check.group == group]
     found = [outcomes.compute(check, QUANTITIES[group]) for check in checks]
     tables.write_rows(outcomes.rows(found), job.output[0])
-    job.log.info("%s", outcomes.summary(found))
+    stage.log.info("%s", outcomes.summary(found))
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -8,7 +8,7 @@ from gearwear.calibration import table
 from gearwear.calibration.verdict import compared
 from gearwear.io import store
 from gearwear.io.tables import write_rows
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -26,9 +26,9 @@ def main(job):
     for path, rows in written.items():
         write_rows(rows, path)
     for name, row in zip(found["member"].values, found["member_agrees"].values, strict=True):
-        job.announce(f"{name}: agrees with {row.sum()} of {row.size} claims about states and motion")
+        stage.announce(f"{name}: agrees with {row.sum()} of {row.size} claims about states and motion")
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

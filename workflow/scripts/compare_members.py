@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from gearwear.io import store, tables
-from gearwear.run import job
+from gearwear.run import stage
 from gearwear.sensitivity import table
 
 if TYPE_CHECKING:
@@ -18,9 +18,9 @@ def main(job):
     tables.write_rows(rows, job.output.table)
     for row in rows:
         if row["hindrance"] != table.NOTHING:
-            job.announce(f"{row['key']} {row['value']}: not possible: {row['hindrance']}")
+            stage.announce(f"{row['key']} {row['value']}: not possible: {row['hindrance']}")
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -6,7 +6,7 @@ from gearwear.config import ensemble
 from gearwear.io import store, tables
 from gearwear.onsets import table
 from gearwear.onsets.shifts import CASES, shifts
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -27,12 +27,12 @@ def main(job):
     tables.write_rows(rows, job.output.table)
     for row in rows:
         drawn = f"{row['percentile_5']} to {row['percentile_95']}"
-        job.announce(
+        stage.announce(
             f"{row['event']}: with less without {row['shift']}, {row['lowest']} to {row['highest']} over ways of "
             f"computing; ensemble {drawn}, {row['members_with_event']} of {row['members']} members"
         )
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -12,7 +12,7 @@ from gearwear.orbits.return_map import COARSEST, return_maps
 from gearwear.orbits.seeds import seeds_along
 from gearwear.oscillator.excitation import swept_oscillator
 from gearwear.oscillator.excitation_variables import recorded
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -36,10 +36,10 @@ def main(job):
     maps = return_maps(oscillator_at, min(dynamics["tolerance"], COARSEST))
     branches = explore(maps, found, limits, branching["largest_period"])
     for branch in branches:
-        job.log.info("period %d: from %s to %s", branch.period, branch.start.words, branch.end.words)
+        stage.log.info("period %d: from %s to %s", branch.period, branch.start.words, branch.end.words)
     store.save(xr.Dataset(columns(branches, branching["largest_period"], sweep)).set_coords(sweep), job)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from gearwear.chain.handover import handover
 from gearwear.io import store
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -15,10 +15,10 @@ PARTS = ("wear", "mesh_stiffness", "transmission_error", "backlash", "response")
 def main(job):
     cycles = zip(*(job.input[part] for part in PARTS), strict=True)
     states = [store.together(map(store.load, paths)) for paths in cycles]
-    job.log.info("%d wear cycles handed over", len(states))
+    stage.log.info("%d wear cycles handed over", len(states))
     store.save(handover(job.params.cfg, store.load(job.input.geometry), states), job)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

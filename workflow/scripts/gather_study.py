@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from gearwear.io import store, tables
-from gearwear.run import job
+from gearwear.run import stage
 from gearwear.studies import table
 from gearwear.studies.gathering import axes_of, gathered
 from gearwear.studies.outcome import impossible
@@ -26,9 +26,9 @@ def main(job):
     lives = table.sentences(study, {key: cfg["units"].get(key, "") for key in axes})
     tables.write_rows(lives, job.output.lives)
     for life in lives:
-        job.announce(life["sentence"])
+        stage.announce(life["sentence"])
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

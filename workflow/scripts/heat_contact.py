@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from gearwear.chain.temperature import temperature
 from gearwear.io import store
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -13,12 +13,12 @@ if TYPE_CHECKING:
 def main(job):
     contact = temperature(job.params.cfg, store.load(job.input.geometry))
     bulk, peak = job.params.cfg["case"]["bulk_temperature"], float(contact["flash_temperature"].max())
-    job.log.info("bulk temperature %g degC, flash temperature up to %.1f K", bulk, peak)
+    stage.log.info("bulk temperature %g degC, flash temperature up to %.1f K", bulk, peak)
     flows = [float(contact[name]) for name in ("mesh_loss", "churning_loss", "convection")]
-    job.log.info("mesh loss %.4g W, churning loss %.4g W, heat given off %.4g W", *flows)
+    stage.log.info("mesh loss %.4g W, churning loss %.4g W, heat given off %.4g W", *flows)
     store.save(contact, job)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

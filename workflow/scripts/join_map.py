@@ -7,7 +7,7 @@ import xarray as xr
 
 from gearwear.io import store
 from gearwear.motions import parameter_map
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -23,5 +23,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

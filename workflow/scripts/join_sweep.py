@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from gearwear.io import store
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -26,5 +26,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -7,7 +7,7 @@ import yaml
 
 from gearwear.claims import scorecard
 from gearwear.io import store, tables
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -39,9 +39,9 @@ def main(job):
     diagonal = [(state["case"], state["cycle"]) for state in job.params.cfg["states"]]
     rows = scorecard.evaluate(claims, results, diagonal)
     tables.write_rows(rows, job.output[0])
-    job.announce(f"Claims of the paper: {scorecard.summary(rows)}.")
+    stage.announce(f"Claims of the paper: {scorecard.summary(rows)}.")
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

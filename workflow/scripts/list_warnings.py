@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from gearwear.io import store, tables
-from gearwear.run import job
+from gearwear.run import stage
 from gearwear.validity import ranges
 
 if TYPE_CHECKING:
@@ -24,10 +24,10 @@ def measured(job):
 def main(job):
     rows = ranges.rows(measured(job))
     for row in rows:
-        job.announce(ranges.sentence(row))
+        stage.announce(ranges.sentence(row))
     tables.write(job, "warnings", ranges.COLUMNS, rows)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -10,7 +10,7 @@ from gearwear.motions.settling import Settling
 from gearwear.onsets import route
 from gearwear.onsets.onset_variables import columns
 from gearwear.oscillator.excitation_variables import recorded
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -23,10 +23,10 @@ def main(job):
     state = route.State(source, dynamics, Settling(**cfg["settling"]), store.load(job.input.branches))
     events = route.along(state, store.load(job.input.sweep), cfg["sweeps"]["order"], cfg["onsets"]["refinement"])
     for name, event in zip(EVENTS, events, strict=True):
-        job.log.info("%s: %.6f, %s", name, event.value, event.remark)
+        stage.log.info("%s: %.6f, %s", name, event.value, event.remark)
     store.save(xr.Dataset(columns([events])).set_coords("event"), job)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -11,7 +11,7 @@ from gearwear.motions.basins import basins, cell_centres
 from gearwear.motions.settling import Settling
 from gearwear.oscillator.excitation import swept_oscillator
 from gearwear.oscillator.excitation_variables import recorded
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -34,7 +34,7 @@ def main(job):
     for value in values:
         oscillator = swept_oscillator(source, sweep, float(value), dynamics, swept)
         found.append(basins(oscillator, states, settling, dynamics["tolerance"]))
-        job.log.info("%s %g: shares %s", sweep, value, ", ".join(f"{share:.3f}" for share in found[-1].shares))
+        stage.log.info("%s %g: shares %s", sweep, value, ", ".join(f"{share:.3f}" for share in found[-1].shares))
     shape = len(displacement), len(velocity)
     table = basin_columns(found, shape, settling.sampled_periods, source.force_parameter)
     table["initial_displacement"] = ("displacement_cell", displacement)
@@ -44,5 +44,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -6,7 +6,7 @@ from gearwear.chain.record import state_at
 from gearwear.io import store
 from gearwear.motions import parameter_map
 from gearwear.oscillator.excitation import excitation
-from gearwear.run import job
+from gearwear.run import stage
 from gearwear.run.parts import indices
 
 if TYPE_CHECKING:
@@ -30,11 +30,11 @@ def main(job):
         source = excitation(chain, state, reference, cfg["operation"]["pinion_torque"], dynamics)
         return source, [source.oscillator(dynamics, one) for one in frequencies]
 
-    job.log.info("%d rows of the map over temperature", len(rows))
+    stage.log.info("%d rows of the map over temperature", len(rows))
     found = (row(*one) for one in zip(job.input.chains, rows, strict=True))
     store.save(parameter_map.tile("temperature", rows, frequencies, found, cfg), job)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

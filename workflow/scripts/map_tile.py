@@ -8,7 +8,7 @@ import numpy as np
 from gearwear.io import store
 from gearwear.motions import parameter_map
 from gearwear.oscillator.excitation import excitation, swept_oscillator
-from gearwear.run import job
+from gearwear.run import stage
 from gearwear.run.parts import indices
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ def main(job):
         settings = [swept | {"mesh_frequency": one} for one in frequencies]
         return source, [swept_oscillator(source, name, value, dynamics, one) for one in settings]
 
-    job.log.info("%d rows of the map over %s", len(rows), name)
+    stage.log.info("%d rows of the map over %s", len(rows), name)
     found = (row(place, value) for place, value in enumerate(rows))
     store.save(parameter_map.tile(name, rows, frequencies, found, cfg), job)
 
@@ -45,5 +45,5 @@ def _state_of(inputs, place: int) -> SimpleNamespace:
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

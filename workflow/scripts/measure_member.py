@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from gearwear.io import store
-from gearwear.run import job
+from gearwear.run import stage
 from gearwear.sensitivity.measures import measures
 
 if TYPE_CHECKING:
@@ -14,10 +14,10 @@ def main(job):
     found = measures(job.params.cfg)
     for case in found["case"].values:
         if hindrance := found["hindrance"].sel(case=case).item():
-            job.log.info("case %s cannot be: %s", case, hindrance)
+            stage.log.info("case %s cannot be: %s", case, hindrance)
     store.save(found, job)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -13,7 +13,7 @@ from gearwear.onsets import route_to_chaos
 from gearwear.onsets.onset_variables import columns
 from gearwear.onsets.shifts import CASES
 from gearwear.oscillator.excitation import excitation
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -29,11 +29,11 @@ def main(job):
         source = excitation(pair, state, reference, cfg["operation"]["pinion_torque"], dynamics)
         sweeps = [route_to_chaos.swept(cfg, source, one) for one in sorted(ORDERS, key=lambda one: one != order)]
         events = route_to_chaos.events(cfg, source, sweeps, cfg["branches"]["largest_period"])
-        job.log.info("case %s: %s", case, ", ".join(f"{event.value:.6f}" for event in events))
+        stage.log.info("case %s: %s", case, ", ".join(f"{event.value:.6f}" for event in events))
         found.append(xr.Dataset(columns([events])).set_coords("event"))
     store.save(xr.concat(found, dim="case").assign_coords(case=np.array(CASES, dtype=object)), job)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from gearwear.io import store
-from gearwear.run import job
+from gearwear.run import stage
 from gearwear.studies.outcome import outcome
 
 if TYPE_CHECKING:
@@ -13,10 +13,10 @@ if TYPE_CHECKING:
 def main(job):
     found = outcome(job.params.cfg["outcome"], store.load(job.input.chain), job.params.cfg["update"])
     if hindrance := found["hindrance"].item():
-        job.announce(f"{job.output[0]}: this combination cannot be: {hindrance}")
+        stage.announce(f"{job.output[0]}: this combination cannot be: {hindrance}")
     store.save(found, job)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -10,7 +10,7 @@ from gearwear.figures import bifurcation
 from gearwear.figures.sheet import DOUBLE, sheet
 from gearwear.io import store
 from gearwear.orbits.branch_variables import columns
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -40,5 +40,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

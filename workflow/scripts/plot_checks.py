@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from gearwear.figures import validation
 from gearwear.figures.sheet import DOUBLE, sheet
-from gearwear.run import job
+from gearwear.run import stage
 from gearwear.validation import outcomes
 from gearwear.validation.checks import read
 
@@ -19,5 +19,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from gearwear.figures import path_panels
 from gearwear.figures.sheet import DOUBLE, sheet
 from gearwear.io import store
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -27,5 +27,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

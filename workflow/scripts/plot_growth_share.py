@@ -8,7 +8,7 @@ from gearwear.figures import legend, path_axis, states
 from gearwear.figures.sheet import DOUBLE, letter, sheet
 from gearwear.geometry.path_mean import path_mean
 from gearwear.io import store
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -60,5 +60,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

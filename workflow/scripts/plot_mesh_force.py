@@ -8,7 +8,7 @@ from gearwear.figures import mesh_force, motion_classes
 from gearwear.figures.sheet import DOUBLE, sheet
 from gearwear.io import store
 from gearwear.oscillator.spectrum import spectrum
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -39,5 +39,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

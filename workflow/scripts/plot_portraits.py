@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 from gearwear.figures import portraits
 from gearwear.figures.sheet import DOUBLE, sheet
 from gearwear.io import store
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -18,5 +18,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

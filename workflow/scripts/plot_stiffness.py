@@ -7,7 +7,7 @@ from matplotlib.lines import Line2D
 from gearwear.figures import legend, path_axis, phase_axis, states
 from gearwear.figures.sheet import DOUBLE, letter, sheet
 from gearwear.io import store
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -41,5 +41,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

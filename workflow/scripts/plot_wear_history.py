@@ -8,7 +8,7 @@ from gearwear.figures import history
 from gearwear.figures.sheet import DOUBLE, sheet
 from gearwear.io import store
 from gearwear.oscillator.harmonics import mean_over_mesh
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -41,5 +41,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

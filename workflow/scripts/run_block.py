@@ -8,7 +8,7 @@ import build_stiffness
 import open_backlash
 import share_load
 import solve_response
-from gearwear.run import job
+from gearwear.run import stage
 from gearwear.run.digest import digest
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ def main(job):
     for place in range(len(job.output.wear)):
         for made, (script, names) in LINK.items():
             file = job.output[made][place]
-            job.log.info("%s: %s", script.__name__, file)
+            stage.log.info("%s: %s", script.__name__, file)
             params = SimpleNamespace(cfg=job.params.cfg[made], code=digest(script.__file__))
             inputs = Inputs({name: files[name] for name in names})
             script.main(SimpleNamespace(rule=script.__name__, input=inputs, output=[file], params=params))
@@ -46,5 +46,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

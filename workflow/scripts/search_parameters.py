@@ -6,7 +6,7 @@ import yaml
 
 from gearwear.calibration.search import evolve
 from gearwear.io import store
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -17,7 +17,7 @@ def main(job):
         claims = yaml.safe_load(file)["claims"]
     found = evolve(job.params.cfg, claims, int(job.wildcards.island))
     agreed = found["claim_agrees"].values.sum(axis=1)
-    job.log.info(
+    stage.log.info(
         "%d candidates, %d of them impossible; the best agrees with %d of %d claims in the quick look",
         found.sizes["candidate"],
         (found["candidate_remark"].values != "").sum(),
@@ -28,5 +28,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

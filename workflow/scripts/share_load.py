@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 from gearwear.chain.sharing import transmission_error
 from gearwear.io import store
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -15,10 +15,10 @@ def main(job):
     geometry, *others = (store.load(job.input[name]) for name in names)
     mesh = transmission_error(job.params.cfg, geometry, *others)
     mean = mesh["transmission_error"].values @ geometry["mesh_phase_width"].values
-    job.log.info("mean transmission error %.3f um", 1e6 * mean)
+    stage.log.info("mean transmission error %.3f um", 1e6 * mean)
     store.save(mesh, job)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from gearwear.figures import page
 from gearwear.io import store
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -18,9 +18,9 @@ def main(job):
     template, program = (Path(job.input[name]).read_text(encoding="utf-8") for name in ("template", "program"))
     with store.atomic(job.output[0]) as temporary:
         Path(temporary).write_text(page.page(template, program, records), encoding="utf-8")
-    job.log.info("%d sweeps, %.1f MB", len(records), Path(job.output[0]).stat().st_size / 1e6)
+    stage.log.info("%d sweeps, %.1f MB", len(records), Path(job.output[0]).stat().st_size / 1e6)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

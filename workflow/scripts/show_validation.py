@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 from gearwear.figures import validation_page
 from gearwear.io import store, tables
-from gearwear.run import job
+from gearwear.run import stage
 from gearwear.validation import outcomes
 from gearwear.validation.checks import read, titles
 
@@ -22,9 +22,9 @@ def main(job):
     tables.write_rows(rows, job.output.table)
     with store.atomic(job.output.page) as html:
         Path(html).write_text(page, encoding="utf-8")
-    job.announce(f"Validation: {outcomes.summary(found)}.")
+    stage.announce(f"Validation: {outcomes.summary(found)}.")
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -11,7 +11,7 @@ from gearwear.motions.settling import Settling, settle_many
 from gearwear.motions.start import rest_state
 from gearwear.oscillator.excitation import swept_oscillator
 from gearwear.oscillator.excitation_variables import recorded
-from gearwear.run import job
+from gearwear.run import stage
 from gearwear.run.parts import indices
 
 if TYPE_CHECKING:
@@ -28,11 +28,11 @@ def main(job):
     oscillators = [swept_oscillator(source, sweep, float(values[i]), dynamics, swept) for i in own]
     begins = [rest_state(source, oscillator, dynamics) for oscillator in oscillators]
     motions = settle_many(oscillators, begins, settling, dynamics["tolerance"])
-    job.log.info("%d points of %s swept", len(own), sweep)
+    stage.log.info("%d points of %s swept", len(own), sweep)
     table = columns(motions, settling.sampled_periods, source.force_parameter)
     store.save(xr.Dataset(table, {sweep: ("point", values[own])}), job)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -9,7 +9,7 @@ from gearwear.integrate.strobe import trace
 from gearwear.io import store
 from gearwear.oscillator.excitation import restoring_force, swept_oscillator
 from gearwear.oscillator.excitation_variables import recorded
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -37,7 +37,7 @@ def main(job):
         force = restoring_force(oscillator, phases, motion[0]) / source.force_parameter
         for orbit, run in zip(orbits[:, i], (*motion, force), strict=True):
             orbit[: periods * STEPS + 1] = run.ravel()[: periods * STEPS + 1]
-    job.log.info("%d motions of %s traced", points.sizes["point"], sweep)
+    stage.log.info("%d motions of %s traced", points.sizes["point"], sweep)
     names = ("orbit_displacement", "orbit_velocity", "orbit_force")
     table = {name: (("point", "time"), orbit) for name, orbit in zip(names, orbits, strict=True)}
     if np.isfinite(source.natural_frequency):
@@ -47,5 +47,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

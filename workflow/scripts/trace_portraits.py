@@ -12,7 +12,7 @@ from gearwear.motions.settling import Settling, settle
 from gearwear.motions.start import rest_state
 from gearwear.oscillator.excitation import swept_oscillator
 from gearwear.oscillator.excitation_variables import recorded
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -41,7 +41,7 @@ def main(job):
         runs = trace(oscillator, end_of(motion), phases, periods + 1, reached, dynamics["tolerance"])
         for orbit, run in zip(orbits[:, i], runs, strict=True):
             orbit[: periods * STEPS + 1] = run.ravel()[: periods * STEPS + 1]
-    job.log.info("%d portraits of %s traced", len(values), sweep)
+    stage.log.info("%d portraits of %s traced", len(values), sweep)
     table = columns(motions, settling.sampled_periods, source.force_parameter)
     table["orbit_displacement"] = (("point", "time"), orbits[0])
     table["orbit_velocity"] = (("point", "time"), orbits[1])
@@ -50,5 +50,5 @@ def main(job):
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

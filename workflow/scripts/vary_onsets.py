@@ -11,7 +11,7 @@ from gearwear.motions.settling import Settling
 from gearwear.onsets import route
 from gearwear.onsets.onset_variables import columns
 from gearwear.oscillator.excitation_variables import recorded
-from gearwear.run import job
+from gearwear.run import stage
 
 if TYPE_CHECKING:
     from snakemake.iocontainers import snakemake
@@ -26,11 +26,11 @@ def main(job):
     ways = {order: route.along(state, sweeps[order], order, refinement) for order in ORDERS}
     ways |= route.varied(state, sweeps["restart"], ways["restart"], refinement)
     for name, events in ways.items():
-        job.log.info("%s: %s", name, ", ".join(f"{event.seen:.6f}" for event in events))
+        stage.log.info("%s: %s", name, ", ".join(f"{event.seen:.6f}" for event in events))
     table = columns([ways[name] for name in VARIANTS]) | {"variant": ("variant", np.array(VARIANTS, dtype=object))}
     store.save(xr.Dataset(table).set_coords(["event", "variant"]), job)
 
 
 if __name__ == "__main__":
-    with job.logged(snakemake, __file__):
+    with stage.logged(snakemake, __file__):
         main(snakemake)

@@ -14,7 +14,7 @@ from gearwear.calibration.agreement import agreements, judged
 from gearwear.calibration.candidate import SWEPT, pair_of, quick_sweeps
 from gearwear.calibration.sampling import points
 from gearwear.config.calibration_parameters import NAMES, ends, values_of, with_values
-from gearwear.run.job import log, worded
+from gearwear.run.stage import log, worded
 
 _MUTATION, _RECOMBINATION = (0.4, 0.9), 0.8
 

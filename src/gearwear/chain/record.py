@@ -10,7 +10,7 @@ import xarray as xr
 
 from gearwear.chain.geometry import geometry
 from gearwear.chain.states import states
-from gearwear.run.job import worded
+from gearwear.run.stage import worded
 
 _MESH = ("mesh_stiffness", "effective_stiffness", "transmission_error")
 _KEPT = (*_MESH, "backlash", "initial_half_backlash", "wear_depth", "running_cycles")

@@ -14,7 +14,7 @@ from gearwear.onsets import route_to_chaos
 from gearwear.onsets.shifts import CASES
 from gearwear.oscillator.excitation import excitation
 from gearwear.oscillator.periodic import sum_of_harmonics
-from gearwear.run.job import worded
+from gearwear.run.stage import worded
 
 _NUMBERS = ("mean_stiffness", "stiffness_ripple", "relative_mean_error", "mean_half_backlash")
 _EVENTS = {"first_doubling": 0, "chaos_onset": -1}  # place among the events of a route

@@ -18,7 +18,7 @@ from gearwear.motions.start import rest_state
 from gearwear.onsets import route_to_chaos
 from gearwear.oscillator.excitation import Excitation, excitation
 from gearwear.oscillator.periodic import sum_of_harmonics
-from gearwear.run.job import worded
+from gearwear.run.stage import worded
 
 _COLUMNS = tuple(name for name in parameter_map.KEPT if name != "transient_periods")
 _WHOLE = ("motion_class", "reason", "conflict", "period")

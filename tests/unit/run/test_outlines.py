@@ -13,7 +13,7 @@ PROGRAM = f"""
 import sys
 sys.path.insert(0, {str(SCRIPTS)!r})
 from pathlib import Path
-from gearwear.plumbing import outlines
+from gearwear.run import outlines
 read, parsed = outlines._read, []
 outlines._read = lambda content: parsed.append(1) or read(content)
 found = outlines.outline(Path("module.py"))

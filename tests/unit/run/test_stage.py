@@ -13,20 +13,20 @@ import numpy as np
 import pytest
 
 from gearwear.mesh.backlash import half_backlash
-from gearwear.run import job, orphans
+from gearwear.run import orphans, stage
 from gearwear.run.digest import SCRIPTS, digest
 
 ORPHAN = """
 import sys, time
 from types import SimpleNamespace
 sys.path.insert(0, {scripts!r})
-from gearwear.plumbing import stage
+from gearwear.run import stage
 from gearwear.run.digest import digest
 script = sys.argv[1]
 params = SimpleNamespace(code=digest(script))
 job = SimpleNamespace(rule="work", output=["made.nc"], log=[sys.argv[2]], params=params, input={{}}, config={{}})
-with job.logged(job, script):
-    job.log.info("at work")
+with stage.logged(job, script):
+    stage.log.info("at work")
     time.sleep(60)
 """
 WORKFLOW = """
@@ -54,20 +54,20 @@ def job(tmp_path, script):
 @pytest.fixture
 def in_this_process(monkeypatch):
     """The test process must not be bound to the life of its parent."""
-    monkeypatch.setattr("gearwear.run.job.end_with_workflow", lambda: None)
+    monkeypatch.setattr("gearwear.run.stage.end_with_workflow", lambda: None)
 
 
 def test_a_job_does_without_the_library_of_units(job, script, in_this_process, monkeypatch):
     for name in [name for name in sys.modules if name.partition(".")[0] == "pint"]:
         monkeypatch.delitem(sys.modules, name)
-    with job.logged(job, script), pytest.raises(ImportError):
+    with stage.logged(job, script), pytest.raises(ImportError):
         import pint
     import pint  # noqa: F401, F811  (that it can be imported again is the test)
 
 
 def test_output_goes_to_the_log_of_the_job(job, script, in_this_process, capsys):
-    with job.logged(job, str(script)):
-        job.log.info("mean %.1f um", 3.25)
+    with stage.logged(job, str(script)):
+        stage.log.info("mean %.1f um", 3.25)
         print("printed")
         print("complained", file=sys.stderr)
     assert job.log[0].read_text() == "work: made.nc\nmean 3.2 um\nprinted\ncomplained\n"
@@ -75,7 +75,7 @@ def test_output_goes_to_the_log_of_the_job(job, script, in_this_process, capsys)
 
 
 def test_failure_that_nobody_worded_keeps_its_traceback(job, script, in_this_process):
-    with pytest.raises(ValueError, match="could not convert"), job.logged(job, str(script)):
+    with pytest.raises(ValueError, match="could not convert"), stage.logged(job, str(script)):
         float("many")
     text = job.log[0].read_text()
     assert text.startswith("work: made.nc\nfailed: could not convert string")
@@ -83,7 +83,7 @@ def test_failure_that_nobody_worded_keeps_its_traceback(job, script, in_this_pro
 
 
 def test_worded_failure_is_one_sentence(job, script, in_this_process):
-    with pytest.raises(SystemExit), job.logged(job, str(script)):
+    with pytest.raises(SystemExit), stage.logged(job, str(script)):
         half_backlash(1e-6, np.zeros(3), np.zeros((2, 3)), np.ones((2, 3)), 0.35, "exact")
     text = job.log[0].read_text()
     assert text.startswith("work: made.nc\nfailed: the teeth jam")
@@ -92,7 +92,7 @@ def test_worded_failure_is_one_sentence(job, script, in_this_process):
 
 def test_streams_and_handlers_are_given_back(job, script, in_this_process):
     before = sys.stdout, sys.stderr, list(job.log.handlers)
-    with pytest.raises(KeyboardInterrupt), job.logged(job, str(script)):
+    with pytest.raises(KeyboardInterrupt), stage.logged(job, str(script)):
         raise KeyboardInterrupt
     assert (sys.stdout, sys.stderr, list(job.log.handlers)) == before
 
@@ -100,15 +100,15 @@ def test_streams_and_handlers_are_given_back(job, script, in_this_process):
 def test_job_refuses_code_that_changed_since_the_workflow_read_it(job, script, in_this_process):
     job.params.code = "0" * 16
     ran = []
-    with pytest.raises(SystemExit), job.logged(job, str(script)):
+    with pytest.raises(SystemExit), stage.logged(job, str(script)):
         ran.append(True)
     assert ran == []
     assert "start it again" in job.log[0].read_text()
 
 
 def test_log_is_written_line_by_line(job, script, in_this_process):
-    with job.logged(job, str(script)):
-        job.log.info("first")
+    with stage.logged(job, str(script)):
+        stage.log.info("first")
         assert job.log[0].read_text() == "work: made.nc\nfirst\n"
 
 
@@ -116,21 +116,21 @@ def test_log_on_a_full_disk_speaks_on_the_screen(job, script, in_this_process, m
     job.log[0] = "/dev/full"
     screen = io.StringIO()
     monkeypatch.setattr(sys, "__stderr__", screen)
-    with pytest.raises(SystemExit), job.logged(job, str(script)):
+    with pytest.raises(SystemExit), stage.logged(job, str(script)):
         half_backlash(1e-6, np.zeros(3), np.zeros((2, 3)), np.ones((2, 3)), 0.35, "exact")
     assert screen.getvalue().startswith("work: made.nc\nfailed: the teeth jam")
 
 
 def test_log_that_cannot_be_opened_is_named(job, script, in_this_process, tmp_path):
     job.log[0] = tmp_path / "nowhere" / "job.log"
-    with pytest.raises(SystemExit, match="job.log: the log cannot be written \\(No such file"), job.logged(job, "x"):
+    with pytest.raises(SystemExit, match="job.log: the log cannot be written \\(No such file"), stage.logged(job, "x"):
         pass
 
 
 def test_input_files_are_checked_before_the_work(job, script, in_this_process, tmp_path):
     job.input = {"geometry": str(tmp_path / "geometry.nc")}
     ran = []
-    with pytest.raises(SystemExit), job.logged(job, str(script)):
+    with pytest.raises(SystemExit), stage.logged(job, str(script)):
         ran.append(True)
     assert ran == []
     assert "geometry.nc: no such file; run the workflow again" in job.log[0].read_text()
