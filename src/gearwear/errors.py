@@ -1,11 +1,19 @@
-"""Errors that carry a message for the user."""
+"""Errors whose message is meant for the user; any other exception is a defect."""
 
 
-class Infeasible(ValueError):
-    """The settings lead to a state that cannot exist; the message names key, value, limit and remedy."""
+class GearwearError(ValueError):
+    """Base of the errors that carry a message for the user."""
 
 
-class ConfigError(ValueError):
+class Infeasible(GearwearError):
+    """The values lead to a state that cannot exist; the message names key, value, limit and remedy."""
+
+
+class BadFile(GearwearError):
+    """A file cannot be read, used or written; the message names it and the remedy."""
+
+
+class ConfigError(GearwearError):
     """The configuration cannot be used; the message has one line for every problem.
 
     Parameters
@@ -17,7 +25,3 @@ class ConfigError(ValueError):
     def __init__(self, message: str, problems: list[tuple[str, tuple[tuple, str]]] | None = None):
         super().__init__(message)
         self.problems = problems or []
-
-
-class BadFile(ValueError):
-    """A file cannot be used, read or written; the message names the file and the remedy."""

@@ -12,7 +12,8 @@ from typing import Any
 import pytest
 
 from gearwear.run import stage
-from gearwear.run.digest import SCRIPTS
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 @dataclass(frozen=True)
@@ -89,7 +90,7 @@ def tell(monkeypatch):
             here.setattr(sys, "__stderr__", screen)
             here.setattr(sys, "__stdout__", screen)
             try:
-                with stage.logged(one.job, str(SCRIPTS / f"{one.script}.py")):
+                with stage.logged(one.job, str(ROOT / "workflow" / "scripts" / f"{one.script}.py")):
                     importlib.import_module(one.script).main(one.job)
             except SystemExit as end:
                 return Path(one.job.log[0]).read_text() + screen.getvalue() + str(end)

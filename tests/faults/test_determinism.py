@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from gearwear.run.digest import SCRIPTS
+ROOT = Path(__file__).resolve().parents[2]
+
 
 # Runs the scripts of jobs one after another in one process, as Snakemake does in one for each.
 RUNNER = """
@@ -53,7 +54,7 @@ def run(names, every_job, folder, **variables):
     for name in names:
         (folder / name).unlink()
     files = [str(every_job[name].file) for name in names]
-    command = [sys.executable, "-c", RUNNER, str(SCRIPTS), *files]
+    command = [sys.executable, "-c", RUNNER, str(ROOT / "workflow" / "scripts"), *files]
     done = subprocess.run(command, cwd=folder, env=os.environ | variables, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
 

@@ -1,13 +1,15 @@
 """The table of warnings, from the files of a chain."""
 
 import csv
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
 import list_warnings
 from gearwear.config.slices import slice_of
-from gearwear.run.digest import SCRIPTS
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 class Inputs(dict):
@@ -29,7 +31,7 @@ def listed(study, run_chain, run_stage, tmp_path_factory):
         job = SimpleNamespace(
             input=Inputs(
                 geometry=files["geometry"],
-                template=str(SCRIPTS.parent / "report" / "table.html.j2"),
+                template=str(ROOT / "workflow" / "report" / "table.html.j2"),
                 temperature=[files["temperature"]],
                 transmission_error=[files["transmission_error"]],
                 wear=[worn],

@@ -2,13 +2,14 @@
 
 import fcntl
 import re
+from pathlib import Path
 
 import pytest
 
 from gearwear.run import help
-from gearwear.run.digest import SCRIPTS
 
-ROOT = SCRIPTS.parents[1]
+ROOT = Path(__file__).resolve().parents[2]
+
 SNAKEFILE = ROOT / "Snakefile"
 
 

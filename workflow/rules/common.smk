@@ -110,7 +110,7 @@ def cfg(stage):
             raise WorkflowError(
                 f"config: {stage} finds no {error} for case {case}; see config/README.md"
             ) from None
-        except ValueError as error:
+        except settings.ConfigError as error:
             raise WorkflowError(str(error)) from None
 
     return cut

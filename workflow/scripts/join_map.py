@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
+from gearwear.errors import BadFile
 from gearwear.io import store
 from gearwear.motions import parameter_map
 from gearwear.run import stage
@@ -18,7 +19,7 @@ def main(job):
     tiles = [store.load(path) for path in job.input.tiles]
     whole = xr.concat([tile for tile in tiles if tile.sizes["row"]], dim="row").sortby(coordinate)
     if (np.diff(whole[coordinate].values) <= 0).any():
-        raise ValueError(f"{coordinate}: two tiles hold the same row; delete the folder of the tiles and start again")
+        raise BadFile(f"{coordinate}: two tiles hold the same row; delete the folder of the tiles and start again")
     store.save(whole, job)
 
 

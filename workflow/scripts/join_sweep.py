@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
+from gearwear.errors import BadFile
 from gearwear.io import store
 from gearwear.run import stage
 
@@ -18,7 +19,7 @@ def main(job):
     whole = xr.concat([part for part in parts if part.sizes["point"]], dim="point").sortby(sweep)
     points = job.params.cfg["sweeps"][sweep]["points"]
     if whole.sizes["point"] != points or (np.diff(whole[sweep].values) <= 0).any():
-        raise ValueError(
+        raise BadFile(
             f"{sweep}: the parts hold {whole.sizes['point']} points, {points} different ones are wanted; delete the "
             "folder of the parts and run the workflow again"
         )

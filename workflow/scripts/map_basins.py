@@ -5,6 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import xarray as xr
 
+from gearwear.errors import ConfigError
 from gearwear.io import store
 from gearwear.motions.basin_variables import basin_columns
 from gearwear.motions.basins import basins, cell_centres
@@ -24,7 +25,7 @@ def main(job):
     case = job.wildcards.case
     values = np.array(wanted["points"][sweep][case])
     if not values.size:
-        raise ValueError(f"basins.points.{sweep}.{case}: an empty list; give at least one value")
+        raise ConfigError(f"basins.points.{sweep}.{case}: an empty list; give at least one value")
     displacement, velocity = (
         cell_centres(wanted[name]["first"], wanted[name]["last"], wanted["resolution"])
         for name in ("displacement", "velocity")

@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING
 
 from gearwear.chain.record import state_at
+from gearwear.errors import ConfigError, Infeasible
 from gearwear.io import store
 from gearwear.motions import parameter_map
 from gearwear.oscillator.excitation import excitation
@@ -25,8 +26,8 @@ def main(job):
         chain = store.load(path)
         try:
             state, reference = state_at(chain, job.params.cfg["updates"])
-        except ValueError as error:
-            raise ValueError(f"maps.temperature: {temperature:g} degC cannot be: {error}; take it out") from None
+        except Infeasible as error:
+            raise ConfigError(f"maps.temperature: {temperature:g} degC cannot be: {error}; take it out") from None
         source = excitation(chain, state, reference, cfg["operation"]["pinion_torque"], dynamics)
         return source, [source.oscillator(dynamics, one) for one in frequencies]
 

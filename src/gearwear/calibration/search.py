@@ -14,7 +14,8 @@ from gearwear.calibration.agreement import agreements, judged
 from gearwear.calibration.candidate import SWEPT, pair_of, quick_sweeps
 from gearwear.calibration.sampling import points
 from gearwear.config.calibration_parameters import NAMES, ends, values_of, with_values
-from gearwear.run.stage import log, worded
+from gearwear.errors import Infeasible
+from gearwear.run.stage import log
 
 _MUTATION, _RECOMBINATION = (0.4, 0.9), 0.8
 
@@ -106,9 +107,7 @@ def _judged(config, vectors, claims, values) -> list[tuple[np.ndarray, np.ndarra
         try:
             several.append(pair_of(changed))
             own.append(place)
-        except ValueError as error:
-            if not worded(error):
-                raise
+        except Infeasible as error:
             remarks[place] = str(error)
     found = [(vector, np.zeros(len(claims), dtype=bool), 0.0, remarks.get(i, "")) for i, vector in enumerate(vectors)]
     if several:

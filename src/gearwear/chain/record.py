@@ -10,7 +10,7 @@ import xarray as xr
 
 from gearwear.chain.geometry import geometry
 from gearwear.chain.states import states
-from gearwear.run.stage import worded
+from gearwear.errors import Infeasible
 
 _MESH = ("mesh_stiffness", "effective_stiffness", "transmission_error")
 _KEPT = (*_MESH, "backlash", "initial_half_backlash", "wear_depth", "running_cycles")
@@ -38,9 +38,7 @@ def record(config: dict[str, Any], updates: int) -> xr.Dataset:
         reference = unworn[list(_MESH)].rename({name: f"reference_{name}" for name in _MESH})
         for state in states(config, pair, updates, unworn):
             found.append(state[list(_KEPT)])
-    except ValueError as error:
-        if not worded(error):
-            raise
+    except Infeasible as error:
         hindrance = str(error)
     if not found:
         return xr.Dataset({"hindrance": hindrance})
@@ -52,10 +50,10 @@ def state_at(chain: xr.Dataset, update: int) -> tuple[xr.Dataset, xr.Dataset]:
 
     Raises
     ------
-    ValueError : the chain does not reach it.
+    Infeasible : the chain does not reach it.
     """
     if update >= chain.sizes.get("wear_cycle", 0):
-        raise ValueError(chain["hindrance"].item())
+        raise Infeasible(chain["hindrance"].item())
     return chain.sel(wear_cycle=update), chain[[f"reference_{name}" for name in _MESH]].rename(
         {f"reference_{name}": name for name in _MESH}
     )

@@ -15,6 +15,7 @@ from gearwear.chain.sharing import transmission_error
 from gearwear.chain.stiffness import mesh_stiffness
 from gearwear.chain.temperature import temperature
 from gearwear.chain.wear import worn
+from gearwear.errors import Infeasible
 from gearwear.io.store import together
 
 
@@ -31,7 +32,7 @@ def states(
 
     Raises
     ------
-    ValueError : the settings lead to a state that cannot be.
+    Infeasible : the settings lead to a state that cannot be.
     """
     grown = deformation(cfg, geometry, temperature(cfg, geometry))
 
@@ -44,7 +45,7 @@ def states(
     yield together(state)
     for _ in range(updates):
         if reference is None:
-            raise ValueError("wear needs the motion, and with it the state of the reference case; give it")
+            raise Infeasible("wear needs the motion, and with it the state of the reference case; give it")
         motion = response(cfg, geometry, together(state), reference)
         flanks, stiffness, shared, _ = state
         state = state_of(worn(cfg, geometry, flanks, stiffness, shared, motion))

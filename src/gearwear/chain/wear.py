@@ -10,6 +10,7 @@ import xarray as xr
 from gearwear.contact.hertz import contact_modulus
 from gearwear.contact.modulus import hot_modulus
 from gearwear.contact.oil import dynamic_viscosity
+from gearwear.errors import Infeasible
 from gearwear.geometry.involute import GEARS, each
 from gearwear.geometry.kinematics import curvature, mesh_force, surface_speed
 from gearwear.mesh.sharing import share, springs_of
@@ -34,7 +35,7 @@ def worn(
 
     Raises
     ------
-    ValueError : the block is too long for the steps to be stable.
+    Infeasible : the block is too long for the steps to be stable.
     """
     settings, bulk = cfg["wear"], cfg["case"]["bulk_temperature"]
     cycles = settings["cycles_per_update"]
@@ -61,7 +62,7 @@ def worn(
         increment[1] *= float(geometry["teeth"][0] / geometry["teeth"][1])
     ratio = share_of_deflection(increment, cycles, transmission_error)
     if ratio > _UNSTABLE:
-        raise ValueError(
+        raise Infeasible(
             f"wear.cycles_per_update: {cycles:g} revolutions take off {ratio:.2f} of the elastic "
             f"deflection at one place, the steps overshoot above {_UNSTABLE}; give at most "
             f"{cycles * COARSE / ratio:.2g} (and running_cycles as whole multiples of it)"

@@ -8,6 +8,7 @@ import numpy as np
 from gearwear.claims import rules
 from gearwear.claims.study import Study, Undecided
 from gearwear.claims.sweeps import CHAOTIC, NOT_CONVERGED, Sweep, class_code, read_sweep
+from gearwear.errors import BadFile
 from gearwear.motions.sequence import changes, first_run
 
 
@@ -26,7 +27,7 @@ def find_event(sweep: Sweep, event: str) -> Event:
     ------
     Undecided
         If no point of the sweep, or of the range of the amplitude jump, allows a judgement.
-    ValueError
+    BadFile
         If the event is of none of these kinds.
     """
     change = re.fullmatch(r"(P\d+)->(P\d+)", event)
@@ -36,7 +37,7 @@ def find_event(sweep: Sweep, event: str) -> Event:
         return onset_of_chaos(sweep)
     if event == "amplitude jump":
         return amplitude_jump(sweep)
-    raise ValueError(f"event {event!r} is unknown; use 'P1->P2' or the like, 'chaos onset', 'amplitude jump'")
+    raise BadFile(f"event {event!r} is unknown; use 'P1->P2' or the like, 'chaos onset', 'amplitude jump'")
 
 
 def change_of_period(sweep: Sweep, before: int, after: int) -> Event:

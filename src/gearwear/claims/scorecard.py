@@ -9,6 +9,7 @@ from gearwear.claims.properties import PROPERTIES
 from gearwear.claims.study import Study, Undecided
 from gearwear.claims.sweeps import read_sweep
 from gearwear.claims.windows import judge_window_of_cases
+from gearwear.errors import BadFile
 
 COLUMNS = ("id", "figure", "says", "expected", "found", "verdict")
 VERDICTS = {True: rules.AGREE, False: rules.DIFFERS, None: rules.NOT_DECIDED}
@@ -31,7 +32,7 @@ def evaluate(claims: dict, results: Mapping, diagonal: Iterable[tuple[str, int]]
 
     Raises
     ------
-    ValueError
+    BadFile
         If a claim is of an unknown kind, class or event, or a qualitative one has no function.
     """
     study = Study(results, tuple((case, int(cycle)) for case, cycle in diagonal))
@@ -67,9 +68,9 @@ def expectation(claim: Mapping[str, Any]) -> str:
     if kind == "numeric":
         return f"{claim['event']} at {claim['expected']:.4f} +- {rules.EVENT_TOLERANCE} ({claim['case']})"
     if kind != "qualitative":
-        raise ValueError(f"claim {claim['id']}: kind {kind!r} is unknown; use qualitative, numeric or window")
+        raise BadFile(f"claim {claim['id']}: kind {kind!r} is unknown; use qualitative, numeric or window")
     if claim["id"] not in PROPERTIES:
-        raise ValueError(f"claim {claim['id']}: no function decides it; add one to gearwear.claims.properties")
+        raise BadFile(f"claim {claim['id']}: no function decides it; add one to gearwear.claims.properties")
     return "holds"
 
 

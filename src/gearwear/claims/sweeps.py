@@ -7,6 +7,7 @@ import numpy as np
 from gearwear.claims import rules
 from gearwear.claims.study import Study, Undecided
 from gearwear.codes.motion_class import CHAOTIC, NOT_CONVERGED, QUASI_PERIODIC
+from gearwear.errors import BadFile
 
 
 @dataclass(frozen=True)
@@ -61,7 +62,7 @@ def class_code(name: str) -> int:
         return named[name]
     if name.startswith("P") and name[1:].isdecimal() and 0 < int(name[1:]) < QUASI_PERIODIC:
         return int(name[1:])
-    raise ValueError(f"motion class {name!r} is unknown; use P1, P2, ..., QP or CH")
+    raise BadFile(f"motion class {name!r} is unknown; use P1, P2, ..., QP or CH")
 
 
 def class_name(code: int) -> str:

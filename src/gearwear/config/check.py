@@ -15,24 +15,12 @@ from gearwear.config.key_types import Section, adapter, adapter_of, entry_type, 
 from gearwear.config.rules import Problem, disagreements
 from gearwear.config.study_sections import Configuration
 from gearwear.config.wording import allowed, dotted, listed, refusal, shown, with_units
+from gearwear.errors import ConfigError
 
 _MOST_LINES = 200
 _LONGEST_KEY = 60
 _UNUSABLE = object()
 _NOTHING: Mapping[str, Any] = {}
-
-
-class ConfigError(ValueError):
-    """The configuration cannot be used; the message has one line for every problem.
-
-    Parameters
-    ----------
-    problems : folder of the member of a study ("" for the study itself), path and text of each.
-    """
-
-    def __init__(self, problems: list[tuple[str, Problem]]):
-        super().__init__(_message(problems))
-        self.problems = problems
 
 
 def check(raw: Any, checked: Mapping[str, Any] | None = None) -> dict[str, Any]:
@@ -57,18 +45,19 @@ def check(raw: Any, checked: Mapping[str, Any] | None = None) -> dict[str, Any]:
     told = {path[:depth] for path, _ in problems for depth in range(len(path) + 1)}
     problems += [problem for problem in disagreements(values) if problem[0] not in told]
     if problems:
-        raise ConfigError([("", problem) for problem in problems])
+        raise refused([("", problem) for problem in problems])
     return Configuration.model_validate(values).model_dump()
 
 
-def _message(problems: list[tuple[str, Problem]]) -> str:
+def refused(problems: list[tuple[str, Problem]]) -> ConfigError:
+    """Return the error that names all the problems."""
     count = len(problems)
     lines = [f"configuration: {count} problem{'s' if count > 1 else ''}"]
     for root, (path, text) in problems[:_MOST_LINES]:
         lines.append(f"  {root.rstrip('/')}{': ' if root else ''}{dotted(path)}: {text}")
     if count > _MOST_LINES:
         lines.append(f"  and {count - _MOST_LINES} more")
-    return "\n".join(lines)
+    return ConfigError("\n".join(lines), problems)
 
 
 def _read_section(

@@ -6,10 +6,11 @@ from collections.abc import Mapping
 from typing import Any
 
 from gearwear.config import ensemble, variations
-from gearwear.config.check import ConfigError, check
+from gearwear.config.check import check, refused
 from gearwear.config.grids import combinations, nested, slug
 from gearwear.config.rules import Problem
 from gearwear.config.wording import dotted
+from gearwear.errors import ConfigError
 
 Overrides = Mapping[str, Any]
 
@@ -45,7 +46,7 @@ def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
                     continue
                 problems += [(root, problem) for _, problem in error.problems]
     if problems:
-        raise ConfigError(problems)
+        raise refused(problems)
     return found
 
 

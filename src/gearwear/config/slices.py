@@ -11,6 +11,7 @@ from typing import Any
 
 from gearwear.config.calibration_sections import Calibration
 from gearwear.config.key_types import SWEEPS
+from gearwear.errors import ConfigError
 
 _EXCITED = ("dynamics", "settling", "operation.pinion_torque")
 _OSCILLATOR = ("dynamics.damping_ratio", "dynamics.torque_fluctuation", "dynamics.tolerance")
@@ -159,11 +160,11 @@ def slice_of(config: dict, stage: str, case: str = "", sweep: str = "") -> dict[
 
     Raises
     ------
-    ValueError : the model of the configuration has no such stage.
+    ConfigError : the model of the configuration has no such stage.
     """
     wanted, model = list(STAGES[stage]), config["dynamics"]["model"]
     if stage in FOLLOWING and model != "torsional":
-        raise ValueError(
+        raise ConfigError(
             f"dynamics.model: {model} has neither branches of periodic orbits nor a section that is its whole state; "
             f"without them there are no {stage}: give torsional, or leave this target out"
         )

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from gearwear.errors import Infeasible
+
 REFERENCE_TEMPERATURE = 20.0  # degC, at which the modulus of the configuration holds
 
 # Carbon steel, carbon up to 0.3 %: temperature degC, modulus GPa (ASME B31.3, table C-6).
@@ -32,7 +34,7 @@ def modulus_ratio(temperature, law: str, thermal_expansion: float = 1.16e-5, cal
 
     Raises
     ------
-    ValueError : unknown law, or a temperature outside the table.
+    Infeasible : unknown law, or a temperature outside the table.
     """
     temperature = np.asarray(temperature, dtype=float)
     warming = temperature - REFERENCE_TEMPERATURE
@@ -42,7 +44,7 @@ def modulus_ratio(temperature, law: str, thermal_expansion: float = 1.16e-5, cal
         return 1 - 3.25e-4 * warming
     if law == "table":
         if temperature.min() < REFERENCE_TEMPERATURE or temperature.max() > _TABLE_TEMPERATURE[-1]:
-            raise ValueError(
+            raise Infeasible(
                 f"elasticity.law table holds from 20 to 260 degC, not at {temperature} degC; use law li or linear"
             )
         first = np.interp(temperature, _TABLE_TEMPERATURE, _TABLE_MODULUS)
@@ -51,7 +53,7 @@ def modulus_ratio(temperature, law: str, thermal_expansion: float = 1.16e-5, cal
         latent = _MELT_ENTHALPY + _FUSION + _LIQUID_HEAT * (_BOILING - _MELTING) + _EVAPORATION
         heat = _heat_content(temperature) - _heat_content(REFERENCE_TEMPERATURE)
         return (1 + thermal_expansion * warming) ** -3 * (1 - calibration * heat / latent)
-    raise ValueError(f"elasticity.law: {law!r} is unknown; use li, linear, table or constant")
+    raise Infeasible(f"elasticity.law: {law!r} is unknown; use li, linear, table or constant")
 
 
 def hot_modulus(material: dict, elasticity: dict, temperature: float) -> np.ndarray:

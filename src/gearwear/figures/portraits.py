@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from gearwear.errors import ConfigError
 from gearwear.figures import motion_classes, states, swept
 from gearwear.figures.sheet import letter
 
@@ -33,11 +34,11 @@ def draw(figure: Figure, portraits: xr.Dataset, cfg: dict[str, Any]) -> None:
 
     Raises
     ------
-    ValueError : the dataset holds no portrait.
+    ConfigError : the dataset holds no portrait.
     """
     count = portraits.sizes["point"]
     if count == 0:
-        raise ValueError(f"portraits: none of {cfg['sweep']}; list at least one value in portraits.{cfg['sweep']}")
+        raise ConfigError(f"portraits: none of {cfg['sweep']}; list at least one value in portraits.{cfg['sweep']}")
     rows = _rows(count)
     columns = -(-count // rows)
     grid = figure.add_gridspec(rows, 2 * columns)

@@ -9,6 +9,7 @@ import jinja2
 import numpy as np
 import xarray as xr
 
+from gearwear.errors import BadFile
 from gearwear.figures import motion_classes
 
 _MARGIN = 0.5  # of the width of a window, shown on either side of it
@@ -48,9 +49,7 @@ def page(
         groups.append({"title": title, "rows": members, "agree": _agree(members)})
     left_out = len(rows) - sum(len(group["rows"]) for group in groups)
     if left_out:
-        raise ValueError(
-            f"claims: {left_out} belong to no group of the page; name their figures in drawing/scorecard.py"
-        )
+        raise BadFile(f"claims: {left_out} belong to no group of the page; name their figures in drawing/scorecard.py")
     names = sorted({zone["name"] for row in shown for strip in row["strips"] for zone in strip["zones"]}, key=_rank)
     environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
     key = [{"name": name, "colour": motion_classes.colour(name)} for name in names]

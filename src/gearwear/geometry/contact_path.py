@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwear.errors import Infeasible
 from gearwear.geometry.involute import GearPair
 
 
@@ -55,7 +56,7 @@ def contact_path(pair: GearPair, mesh_cells: int) -> ContactPath:
 
     Raises
     ------
-    ValueError : contact ratio not between 1 and 2, or contact beyond a base tangent point.
+    Infeasible : contact ratio not between 1 and 2, or contact beyond a base tangent point.
     """
     base, tip = pair.base_radius, pair.tip_radius
     reach = np.sqrt(tip**2 - base**2)
@@ -64,13 +65,13 @@ def contact_path(pair: GearPair, mesh_cells: int) -> ContactPath:
     pitch_point = float(base[0] * math.tan(pair.working_pressure_angle))
     ratio = (end - start) / pair.base_pitch
     if not 1 < ratio < 2:
-        raise ValueError(
+        raise Infeasible(
             f"gear_pair: the contact ratio is {ratio:.4f}; it must lie between 1 and 2, change addendum_coefficient, "
             "centre_distance or teeth"
         )
     for name, overshoot in (("gear", -start), ("pinion", end - length)):
         if overshoot >= 0:
-            raise ValueError(
+            raise Infeasible(
                 f"gear_pair: the tip of the {name} meets its mate {1e3 * overshoot:.4f} mm beyond the base tangent "
                 f"point, where there is no involute; reduce the addendum_coefficient of the {name}"
             )

@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwear.errors import Infeasible
+
 GEARS = ("pinion", "gear")
 
 
@@ -64,7 +66,7 @@ def gear_pair(
 
     Raises
     ------
-    ValueError : the gears cannot be made or cannot mesh; the message names quantity, value and limit.
+    Infeasible : the gears cannot be made or cannot mesh; the message names quantity, value and limit.
     """
     z, shift = each(teeth), each(profile_shift)
     addendum, bore = each(addendum_coefficient), each(bore_radius)
@@ -78,7 +80,7 @@ def gear_pair(
     half = thickness / (2 * reference) + involute(alpha)
     widest = (math.pi / 4 - (addendum + clearance_coefficient) * math.tan(alpha)) * math.cos(alpha)
     if widest.min() <= 0:
-        raise ValueError(
+        raise Infeasible(
             f"gear_pair: a rack with addendum_coefficient + clearance_coefficient = "
             f"{(addendum + clearance_coefficient).max():g} is pointed at its tip; the sum must stay below "
             f"{math.pi / 4 / math.tan(alpha):.4f}"
@@ -139,14 +141,14 @@ def _working_angle(alpha, base, z, shift, centre_distance):
     if centre_distance is None:
         target = involute(alpha) + 2 * math.tan(alpha) * shift.sum() / z.sum()
         if target <= 0:
-            raise ValueError(
+            raise Infeasible(
                 f"gear_pair.profile_shift: the sum {shift.sum():g} leaves no centre distance at which the gears "
                 "mesh; use less negative shifts"
             )
         working = _inverse_involute(target)
         return working, float(base.sum() / math.cos(working))
     if centre_distance <= base.sum():
-        raise ValueError(
+        raise Infeasible(
             f"gear_pair.centre_distance: {centre_distance:g} m is not above the sum of the base radii, "
             f"{base.sum():g} m; the gears cannot mesh"
         )
@@ -169,24 +171,24 @@ def _refuse_impossible(pair: GearPair) -> None:
     thickness = 2 * working_radius * half_angle(pair, working_radius)
     pitch = 2 * math.pi * working_radius[0] / pair.teeth[0]
     if thickness.sum() > pitch * (1 + 1e-4):  # tabulated shifts are rounded to four digits
-        raise ValueError(
+        raise Infeasible(
             f"gear_pair: the teeth jam, their thickness at the pitch circle {1e3 * thickness.sum():.4f} mm exceeds the "
             f"pitch {1e3 * pitch:.4f} mm; increase centre_distance or reduce profile_shift"
         )
     for i, name in enumerate(GEARS):
         if tip_thickness[i] <= 0:
-            raise ValueError(
+            raise Infeasible(
                 f"gear_pair: the tooth thickness at the tip of the {name} is {1e3 * tip_thickness[i]:.4f} mm, it must "
                 "be positive; reduce addendum_coefficient or profile_shift"
             )
         if pair.bore_radius[i] >= pair.root_radius[i]:
-            raise ValueError(
+            raise Infeasible(
                 f"gear_pair.bore_radius.{name}: {1e3 * pair.bore_radius[i]:g} mm is not below the root radius "
                 f"{1e3 * pair.root_radius[i]:g} mm"
             )
         gap = pair.centre_distance - pair.tip_radius[i] - pair.root_radius[1 - i]
         if gap <= 0:
-            raise ValueError(
+            raise Infeasible(
                 f"gear_pair: the tip of the {name} runs into the root of its mate by {-1e3 * gap:.4f} mm; "
                 "reduce addendum_coefficient or increase clearance_coefficient or centre_distance"
             )

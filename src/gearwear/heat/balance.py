@@ -10,6 +10,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from gearwear.contact.oil import dynamic_viscosity
+from gearwear.errors import Infeasible
 
 GRAVITY = 9.80665  # m/s2
 _LAMINAR, _TURBULENT = 6000.0, 9000.0  # Reynolds numbers between which the two fits of churning are blended
@@ -151,7 +152,7 @@ def balanced(flows: Callable[[float], HeatFlows], surroundings: float) -> float:
 
     Raises
     ------
-    ValueError : no balance within 10 000 K of the surroundings.
+    Infeasible : no balance within 10 000 K of the surroundings.
     """
 
     def surplus(temperature):
@@ -164,7 +165,7 @@ def balanced(flows: Callable[[float], HeatFlows], surroundings: float) -> float:
     while surplus(high) > 0:
         low, high = high, surroundings + 2 * (high - surroundings)
         if high - surroundings > _HOTTER:
-            raise ValueError(f"no balance of heat below {low:.0f} degC")
+            raise Infeasible(f"no balance of heat below {low:.0f} degC")
     while True:
         middle = (low + high) / 2
         if not low < middle < high:

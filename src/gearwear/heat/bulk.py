@@ -5,6 +5,8 @@ from __future__ import annotations
 from inspect import signature
 from typing import Any
 
+from gearwear.errors import Infeasible
+
 BALANCE = "balance"
 COLDEST, HOTTEST = -40.0, 250.0  # degC
 
@@ -14,7 +16,7 @@ def bulk_temperature(config: dict[str, Any]) -> float:
 
     Raises
     ------
-    ValueError : there is none within -40 to 250 degC, or the gears cannot be made or mesh.
+    Infeasible : there is none within -40 to 250 degC, or the gears cannot be made or mesh.
     """
     # numpy comes with these, and only a configuration that asks for a balance needs it
     from gearwear.geometry.contact_path import contact_path
@@ -31,7 +33,7 @@ def bulk_temperature(config: dict[str, Any]) -> float:
     found = balanced(flows, settings["surroundings"])
     if not COLDEST <= found <= HOTTEST:
         losses = flows(settings["surroundings"])
-        raise ValueError(
+        raise Infeasible(
             f"it closes at {found:.1f} degC, outside {COLDEST:g} to {HOTTEST:g} degC, with a mesh loss of "
             f"{losses.mesh_loss:.3g} W and a churning loss of {losses.churning_loss:.3g} W at "
             "heat_balance.surroundings; check heat_balance.heat_transfer, area and immersion, or the load"
@@ -53,7 +55,7 @@ def of_case(values: dict[str, Any], case: dict[str, Any]) -> tuple[float | None,
         return bulk_temperature(values), ""
     except KeyError:
         return None, ""
-    except ValueError as error:
+    except Infeasible as error:
         return None, f"{BALANCE}: {error}"
 
 

@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from gearwear.errors import BadFile
+
 _REFUSALS = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EACCES, errno.EIO, errno.EFBIG)
 _PROBE = 1 << 16  # bytes, more than the block of any file system
 
@@ -19,7 +21,7 @@ def atomic(path: str | Path) -> Iterator[str]:
 
     Raises
     ------
-    ValueError : the system refuses to write, as on a full disk; the message names the file and the reason.
+    BadFile : the system refuses to write, as on a full disk; the message names the file and the reason.
     """
     # The host, as an orphan on another one may have the same number.
     temporary = f"{path}.{socket.gethostname()}.{os.getpid()}.tmp"
@@ -30,7 +32,7 @@ def atomic(path: str | Path) -> Iterator[str]:
         Path(temporary).replace(path)
     except (OSError, RuntimeError) as error:
         if refusal := _refusal(temporary, error):
-            raise ValueError(f"{path}: cannot be written ({refusal}); mend that and run the workflow again") from None
+            raise BadFile(f"{path}: cannot be written ({refusal}); mend that and run the workflow again") from None
         raise
     finally:
         with suppress(FileNotFoundError):

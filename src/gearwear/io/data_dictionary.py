@@ -5,10 +5,11 @@ Run as ``python -m gearwear.io.data_dictionary`` after a change of ``fields.py``
 
 from __future__ import annotations
 
-from gearwear.io.variables import FIELDS, Field
-from gearwear.run.digest import SCRIPTS
+from pathlib import Path
 
-FILE = SCRIPTS.parents[1] / "docs" / "data.md"
+from gearwear.io.variables import FIELDS, Field
+
+FILE = Path(__file__).parents[3] / "docs" / "data.md"
 
 _MOST_FLAGS = 8
 _HEAD = """# Data dictionary

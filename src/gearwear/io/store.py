@@ -20,6 +20,7 @@ import netCDF4
 import numpy as np
 import xarray as xr
 
+from gearwear.errors import BadFile
 from gearwear.io.atomic import atomic
 from gearwear.io.variables import field_of
 
@@ -107,7 +108,7 @@ def load(path: str | Path) -> xr.Dataset:
 
     Raises
     ------
-    ValueError : the file is missing, truncated, not written by this program, or holds a value that
+    BadFile : the file is missing, truncated, not written by this program, or holds a value that
         is not finite; the message names the file and says what to do.
     """
     with _readable(path), xr.open_dataset(path, engine="netcdf4", decode_times=False) as lazy:
@@ -117,11 +118,11 @@ def load(path: str | Path) -> xr.Dataset:
         try:
             optional = field_of(str(name), tuple(map(str, values.dims))).may_be_missing
         except ValueError as error:
-            raise ValueError(f"{path}: {error}; {_REMEDY}") from None
+            raise BadFile(f"{path}: {error}; {_REMEDY}") from None
         if values.dtype.kind != "f" or optional:
             continue
         if not np.isfinite(values).all():
-            raise ValueError(f"{path}: {name} holds values that are not finite; {_REMEDY}")
+            raise BadFile(f"{path}: {name} holds values that are not finite; {_REMEDY}")
     return dataset
 
 
@@ -130,17 +131,17 @@ def _readable(path: str | Path) -> Iterator[None]:
     try:
         yield
     except FileNotFoundError:
-        raise ValueError(f"{path}: no such file; run the workflow again to make it") from None
+        raise BadFile(f"{path}: no such file; run the workflow again to make it") from None
     except Exception as error:
-        raise ValueError(f"{path}: not a readable netCDF file ({error}); {_REMEDY}") from None
+        raise BadFile(f"{path}: not a readable netCDF file ({error}); {_REMEDY}") from None
 
 
 def _own(path: str | Path, attrs: Mapping[str, Any]) -> None:
     if attrs.get("source") != SOURCE or not attrs.keys() >= _MARKS:
-        raise ValueError(f"{path}: not a result of this workflow (no lineage); {_REMEDY}")
+        raise BadFile(f"{path}: not a result of this workflow (no lineage); {_REMEDY}")
     expected = _makers(Path(path))
     if expected and attrs["stage"] not in expected:
-        raise ValueError(f"{path}: a result of {attrs['stage']}, not of {' or '.join(expected)}; {_REMEDY}")
+        raise BadFile(f"{path}: a result of {attrs['stage']}, not of {' or '.join(expected)}; {_REMEDY}")
 
 
 def _makers(path: Path) -> tuple[str, ...]:
@@ -175,7 +176,7 @@ def save(dataset: xr.Dataset, job) -> None:
 
     Raises
     ------
-    ValueError : a variable is unknown, has other dimensions than its entry or is not finite.
+    BadFile : a variable is unknown, has other dimensions than its entry or is not finite.
     """
     dataset = dataset.copy()
     for name in dataset.variables:
@@ -236,7 +237,7 @@ def _describe(dataset: xr.Dataset, name: str) -> None:
     values = dataset[name]
     field = field_of(name, tuple(map(str, values.dims)))
     if values.dtype.kind == "f" and not field.may_be_missing and not np.isfinite(values).all():
-        raise ValueError(f"{name}: holds values that are not finite")
+        raise BadFile(f"{name}: holds values that are not finite")
     values.attrs = {"long_name": field.long_name}
     if field.units:
         values.attrs["units"] = field.units

@@ -8,6 +8,7 @@ from gearwear.codes import motion_class
 from gearwear.codes.branch_codes import BRANCH_ENDS, SPECIAL_POINTS, STABILITY
 from gearwear.codes.onset_codes import HOW
 from gearwear.config.calibration_parameters import OSCILLATOR, PARAMETERS
+from gearwear.errors import BadFile
 
 MOTION_CLASSES = dict(zip(motion_class.FLAG_MEANINGS, motion_class.FLAG_VALUES, strict=True))
 CONFLICTS = dict(zip(motion_class.CONFLICT_MEANINGS, motion_class.CONFLICT_VALUES, strict=True))
@@ -49,7 +50,7 @@ def field_of(name: str, dims: tuple[str, ...]) -> Field:
 
     Raises
     ------
-    ValueError : no such variable, or other dimensions than the table allows.
+    BadFile : no such variable, or other dimensions than the table allows.
     """
     if "." in name:
         return _of_key(name, dims)
@@ -62,8 +63,8 @@ def field_of(name: str, dims: tuple[str, ...]) -> Field:
             break
         own = own[1:]
     if name not in FIELDS:
-        raise ValueError(f"{name}: no entry in the table of fields")
-    raise ValueError(f"{name}: dimensions {dims}, expected one of {FIELDS[name].dims}")
+        raise BadFile(f"{name}: no entry in the table of fields")
+    raise BadFile(f"{name}: dimensions {dims}, expected one of {FIELDS[name].dims}")
 
 
 def _of_key(key: str, dims: tuple[str, ...]) -> Field:
@@ -72,7 +73,7 @@ def _of_key(key: str, dims: tuple[str, ...]) -> Field:
 
     declared = declared_at(key)
     if declared is None or dims != (key,):
-        raise ValueError(f"{key}: dimensions {dims}, expected a key of the configuration along itself")
+        raise BadFile(f"{key}: dimensions {dims}, expected a key of the configuration along itself")
     return Field(declared.unit, declared.meaning, ((key,),))
 
 

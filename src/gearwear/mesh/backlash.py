@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from gearwear.errors import Infeasible
 from gearwear.geometry.involute import involute
 
 
@@ -35,13 +36,13 @@ def half_backlash(
 
     Raises
     ------
-    ValueError : the teeth jam, b is not positive somewhere.
+    Infeasible : the teeth jam, b is not positive somewhere.
     """
     factor = math.cos(2 * working_pressure_angle) if projection == "shi" else 1.0
     change = deflection + removed.sum(axis=0) - 2 * growth.sum(axis=0)
     clearance = initial + opening + factor * change / 2
     if clearance.min() <= 0:
-        raise ValueError(
+        raise Infeasible(
             f"the teeth jam: the half backlash falls to {1e6 * clearance.min():.3f} um, it must stay above 0 um; the "
             f"growth of the four flanks takes up to {2e6 * growth.sum(axis=0).max():.3f} um of the total gap: increase "
             f"backlash.half_backlash ({1e6 * initial:g} um) or lower the bulk temperature{_closed(opening)}"
@@ -76,11 +77,11 @@ def opened(change: float, centre_distance: float, base_radius: np.ndarray) -> fl
 
     Raises
     ------
-    ValueError : the base circles would run into each other.
+    Infeasible : the base circles would run into each other.
     """
     base = float(np.sum(base_radius))
     if centre_distance + change <= base:
-        raise ValueError(
+        raise Infeasible(
             f"backlash.centre_distance_change: with {1e6 * change:g} um the centre distance is not above the sum of "
             f"the base radii, {1e3 * base:.4f} mm; give more than {1e6 * (base - centre_distance):.0f} um"
         )

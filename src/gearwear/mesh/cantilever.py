@@ -12,6 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwear.errors import Infeasible
+
 POINTS = 32  # of the Gauss rule
 
 
@@ -75,7 +77,7 @@ def tooth_compliance(
     if section_change is not None:
         thickness = thickness + section_change(a)
     if thickness.min() <= 0:
-        raise ValueError(
+        raise Infeasible(
             f"the tooth is worn through: its half thickness falls to {thickness.min():.3f} of the base radius, it must "
             "stay above 0; lower wear.cycles_per_update, running_cycles or the load"
         )

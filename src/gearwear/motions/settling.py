@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from gearwear.codes import motion_class
+from gearwear.errors import Infeasible
 from gearwear.integrate.strobe import AUTOMATIC, BLOW_UP, COMPLETED, GROWTH, MAPS, RECORDS, TOO_MANY_STEPS, vector
 from gearwear.integrate.strobe_many import strobe_many
 from gearwear.motions.classify import weigh
@@ -97,7 +98,7 @@ def settle_many(
 
     Raises
     ------
-    ValueError
+    Infeasible
         For states or settings outside their range.
     """
     check_settling(settling)
@@ -170,24 +171,24 @@ def settle_many(
 def check_settling(settling: Settling) -> None:
     """ValueError for settings that contradict each other."""
     if not 0 <= settling.transient_periods <= settling.longest_transient:
-        raise ValueError(
+        raise Infeasible(
             f"transient_periods: {settling.transient_periods} (forcing periods) must be within 0 and "
             f"longest_transient, {settling.longest_transient}"
         )
     if not 1 <= settling.largest_period <= motion_class.LARGEST_PERIOD:
-        raise ValueError(
+        raise Infeasible(
             f"largest_period: {settling.largest_period} (forcing periods) must be within 1 and "
             f"{motion_class.LARGEST_PERIOD}"
         )
     least = max(2 * BATCHES, 4 * settling.largest_period)
     if settling.sampled_periods < least:
-        raise ValueError(
+        raise Infeasible(
             f"sampled_periods: {settling.sampled_periods} (forcing periods) must be at least {least}, that is "
             f"{2 * BATCHES} and four times largest_period; sample longer or lower largest_period"
         )
     for name in ("recurrence_tolerance", "chaos_threshold"):
         if not getattr(settling, name) > 0.0:
-            raise ValueError(f"{name}: {getattr(settling, name)} (dimensionless) must be above 0")
+            raise Infeasible(f"{name}: {getattr(settling, name)} (dimensionless) must be above 0")
 
 
 def _attractor(oscillator, sample, place, evidence, transient, detail) -> Attractor:

@@ -11,6 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwear.errors import Infeasible
 from gearwear.geometry.kinematics import mesh_force
 from gearwear.oscillator.harmonics import harmonics, mean_over_mesh
 from gearwear.oscillator.oscillator import ExternalTorque, Oscillator
@@ -96,7 +97,7 @@ def excitation(geometry, state, reference, pinion_torque: float, settings: dict)
     cold = mean_over_mesh(reference["transmission_error"].values, width)
     ratio = mean_over_mesh(error, width) / cold if cold > _NO_ERROR else np.nan
     if settings["ste_amplitude"] != "harmonic" and not (cold > 0 and ratio > 0):
-        raise ValueError(
+        raise Infeasible(
             f"the mean transmission error is {1e6 * mean_over_mesh(error, width):.4g} um, {1e6 * cold:.4g} um in the "
             f"reference case; dynamics.ste_amplitude {settings['ste_amplitude']} needs both above 0: give harmonic, or "
             "another transmission_error.heat"

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwear.errors import Infeasible
 from gearwear.oscillator.periodic import Harmonics, PeriodicTable, finite_floats
 
 
@@ -24,7 +25,7 @@ class ExternalTorque:
 
     Raises
     ------
-    ValueError
+    Infeasible
         For a number that is not finite, a ratio that is not positive, or lists of unequal length.
     """
 
@@ -35,12 +36,12 @@ class ExternalTorque:
     def __post_init__(self):
         ratio = finite_floats((self.frequency_ratio,), "external torque")[0]
         if ratio <= 0.0:
-            raise ValueError(f"external torque: frequency_ratio {ratio} (of the mesh frequency) must be above 0")
+            raise Infeasible(f"external torque: frequency_ratio {ratio} (of the mesh frequency) must be above 0")
         object.__setattr__(self, "frequency_ratio", ratio)
         for name in ("amplitudes", "phases"):
             object.__setattr__(self, name, finite_floats(getattr(self, name), f"external torque {name}"))
         if len(self.amplitudes) != len(self.phases):
-            raise ValueError(
+            raise Infeasible(
                 f"external torque: {len(self.amplitudes)} amplitudes but {len(self.phases)} phases; give one phase "
                 "(rad) for every amplitude"
             )
@@ -103,7 +104,7 @@ class Oscillator:
 
     Raises
     ------
-    ValueError
+    Infeasible
         For numbers that are not finite, w, zeta, k or b not positive, or two tables with unlike breaks.
     """
 
@@ -120,17 +121,17 @@ class Oscillator:
             object.__setattr__(self, name, finite_floats((getattr(self, name),), name)[0])
         for name in ("frequency", "damping_ratio"):
             if getattr(self, name) <= 0.0:
-                raise ValueError(f"{name}: {getattr(self, name)} (dimensionless) must be above 0")
+                raise Infeasible(f"{name}: {getattr(self, name)} (dimensionless) must be above 0")
         for name in ("stiffness", "clearance"):
             least = getattr(self, name).minimum
             if least <= 0.0:
-                raise ValueError(
+                raise Infeasible(
                     f"{name}: least value over the mesh period {least:.6g} (dimensionless) must be above 0; "
                     "reduce its fluctuation or raise its mean"
                 )
         tables = [t for t in (self.stiffness, self.error) if isinstance(t, PeriodicTable)]
         if len(tables) == 2 and tables[0].breaks != tables[1].breaks:
-            raise ValueError("stiffness and error: their tables have unlike breaks; tabulate both on the same breaks")
+            raise Infeasible("stiffness and error: their tables have unlike breaks; tabulate both on the same breaks")
 
     @property
     def period(self) -> float:
@@ -177,7 +178,7 @@ class Oscillator:
     def in_length_unit(self, unit: float) -> "Oscillator":
         """The same motion measured in another unit of length (given in units of the present one)."""
         if not (np.isfinite(unit) and unit > 0.0):
-            raise ValueError(f"length unit: {unit} must be a finite number above 0")
+            raise Infeasible(f"length unit: {unit} must be a finite number above 0")
         return replace(
             self,
             mean_force=self.mean_force / unit,

@@ -5,13 +5,15 @@ from functools import cached_property
 
 import numpy as np
 
+from gearwear.errors import Infeasible
+
 
 def finite_floats(values, quantity: str) -> tuple[float, ...]:
     """The values as a tuple of floats; ValueError if one of them is not finite."""
     numbers = tuple(float(value) for value in values)
     for number in numbers:
         if not np.isfinite(number):
-            raise ValueError(f"{quantity}: {number} is not finite; every value must be a finite number")
+            raise Infeasible(f"{quantity}: {number} is not finite; every value must be a finite number")
     return numbers
 
 
@@ -27,7 +29,7 @@ class Harmonics:
 
     Raises
     ------
-    ValueError
+    Infeasible
         For a number that is not finite or for lists of unequal length.
     """
 
@@ -40,7 +42,7 @@ class Harmonics:
         object.__setattr__(self, "amplitudes", finite_floats(self.amplitudes, "harmonics amplitudes"))
         object.__setattr__(self, "phases", finite_floats(self.phases, "harmonics phases"))
         if len(self.amplitudes) != len(self.phases):
-            raise ValueError(
+            raise Infeasible(
                 f"harmonics: {len(self.amplitudes)} amplitudes but {len(self.phases)} phases; give one phase (rad) "
                 "for every amplitude"
             )
@@ -98,7 +100,7 @@ class PeriodicTable:
 
     Raises
     ------
-    ValueError
+    Infeasible
         For breaks that do not increase from 0 to 1, lists of the wrong length or numbers that are not finite.
     """
 
@@ -110,16 +112,16 @@ class PeriodicTable:
         for name in ("breaks", "start", "end"):
             object.__setattr__(self, name, finite_floats(getattr(self, name), f"table {name}"))
         if len(self.breaks) < 2 or self.breaks[0] != 0.0 or self.breaks[-1] != 1.0:
-            raise ValueError(
+            raise Infeasible(
                 f"table breaks: run from {self.breaks[:1]} to {self.breaks[-1:]} (mesh phase); "
                 "they must run from 0 to 1"
             )
         if min(np.diff(self.breaks)) <= 0.0:
-            raise ValueError(f"table breaks: least step {min(np.diff(self.breaks))}; they must increase strictly")
+            raise Infeasible(f"table breaks: least step {min(np.diff(self.breaks))}; they must increase strictly")
         cells = len(self.breaks) - 1
         for name in ("start", "end"):
             if len(getattr(self, name)) != cells:
-                raise ValueError(f"table {name}: {len(getattr(self, name))} values for {cells} cells; give one a cell")
+                raise Infeasible(f"table {name}: {len(getattr(self, name))} values for {cells} cells; give one a cell")
 
     def at(self, phase) -> np.ndarray:
         """Values at mesh phases in [0, 1); at a break the value of the cell that begins there."""
@@ -167,5 +169,5 @@ class PeriodicTable:
 def sum_of_harmonics(function: Harmonics | PeriodicTable) -> Harmonics:
     """The function if it is a sum of harmonics; ValueError for a table."""
     if isinstance(function, PeriodicTable):
-        raise ValueError("stiffness or error is a table, which has no amplitudes; give a number for dynamics.harmonics")
+        raise Infeasible("stiffness or error is a table, which has no amplitudes; give a number for dynamics.harmonics")
     return function

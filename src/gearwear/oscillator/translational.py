@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwear.errors import Infeasible
 from gearwear.oscillator.oscillator import Oscillator
 from gearwear.oscillator.periodic import PeriodicTable, finite_floats
 
@@ -27,7 +28,7 @@ class Bearing:
 
     Raises
     ------
-    ValueError
+    Infeasible
         For numbers that are not finite, or not positive (the damping ratio: negative).
     """
 
@@ -40,7 +41,7 @@ class Bearing:
         for name in ("mass", "damping_ratio"):
             object.__setattr__(self, name, finite_floats((getattr(self, name),), f"bearing {name}")[0])
         if len(self.stiffness) != 2 or min(self.mass, *self.stiffness) <= 0.0 or self.damping_ratio < 0.0:
-            raise ValueError(
+            raise Infeasible(
                 f"bearing: mass {self.mass} and the two stiffnesses {self.stiffness} must be above 0, damping_ratio "
                 f"{self.damping_ratio} must not be below"
             )

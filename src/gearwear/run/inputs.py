@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
+from gearwear.errors import BadFile
 from gearwear.io import store
 
 _REMEDY = "delete it and run the workflow again"
@@ -38,7 +39,7 @@ def check(job) -> None:
 
     Raises
     ------
-    ValueError : a file is unreadable or foreign, was made with other settings, of other files or on another grid than
+    BadFile : a file is unreadable or foreign, was made with other settings, of other files or on another grid than
         those read beside it; the message names it and says what to do.
     """
     heads = {name: [store.head(path) for path in _results(paths)] for name, paths in job.input.items()}
@@ -50,7 +51,7 @@ def check(job) -> None:
             _made_of(head, _expected(name, head, single))
             _on_the_grid_of(head, single.get("geometry"))
         if name == "parts" and (other := next((head for head in several if head.lineage != several[0].lineage), None)):
-            raise ValueError(f"{other.path}: not of one making with {several[0].path}; {_REMEDY}")
+            raise BadFile(f"{other.path}: not of one making with {several[0].path}; {_REMEDY}")
 
 
 def _results(paths: Any) -> list[str]:
@@ -69,7 +70,7 @@ def _made_with(head: store.Head, config: Mapping) -> None:
         for key in path:
             found = found.get(key) if isinstance(found, Mapping) else None
         if found is not None and json.dumps(found) != json.dumps(value):
-            raise ValueError(f"{head.path}: made with {'.'.join(path)} {value}, and it is {found} now; {_REMEDY}")
+            raise BadFile(f"{head.path}: made with {'.'.join(path)} {value}, and it is {found} now; {_REMEDY}")
 
 
 def _leaves(settings: Mapping, path: tuple[str, ...] = ()) -> Iterator[tuple[tuple[str, ...], Any]]:
@@ -91,12 +92,10 @@ def _expected(name: str, head: store.Head, single: Mapping[str, store.Head]) -> 
 def _made_of(head: store.Head, expected: Mapping[str, store.Head]) -> None:
     for name, beside in expected.items():
         if head.inputs.get(name, beside.lineage) != beside.lineage:
-            raise ValueError(f"{head.path}: made of another file than {beside.path}; {_REMEDY}")
+            raise BadFile(f"{head.path}: made of another file than {beside.path}; {_REMEDY}")
 
 
 def _on_the_grid_of(head: store.Head, geometry: store.Head | None) -> None:
     for name in ("path", "mesh_phase"):
         if geometry and (wanted := geometry.sizes[name]) != head.sizes.get(name, wanted):
-            raise ValueError(
-                f"{head.path}: {head.sizes[name]} points of {name}, {geometry.path} has {wanted}; {_REMEDY}"
-            )
+            raise BadFile(f"{head.path}: {head.sizes[name]} points of {name}, {geometry.path} has {wanted}; {_REMEDY}")

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import gc
-import linecache
 import logging
 import sys
-import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import TextIO
 
+from gearwear.errors import BadFile, GearwearError
 from gearwear.run import inputs
 from gearwear.run.digest import digest
 from gearwear.run.orphans import end_with_workflow
@@ -23,7 +22,7 @@ log = logging.getLogger("gearwear")
 def logged(job, script: str) -> Iterator[None]:
     """Run the body of a stage job with its output in the job's log file.
 
-    An error that the project words itself is one sentence in the log; any other keeps its traceback.
+    A GearwearError is one sentence in the log; any other exception keeps its traceback.
 
     The job stops with its parent, so that no orphan goes on writing after Snakemake was killed, and
     refuses to start if its source changed after Snakemake read it, so that no result is mislabelled, if another
@@ -45,14 +44,11 @@ def logged(job, script: str) -> Iterator[None]:
         try:
             log.info("%s: %s", job.rule, ", ".join(job.output))
             if job.params.code != digest(script):
-                raise ValueError("the source code changed while the workflow was running: start it again")
+                raise BadFile("the source code changed while the workflow was running: start it again")
             check_run()
             inputs.check(job)
             yield
-        except ValueError as error:
-            if not worded(error):
-                log.exception("failed: %s", error)
-                raise
+        except GearwearError as error:
             log.error("failed: %s", error)
             raise SystemExit(1) from None
         except Exception as error:
@@ -62,13 +58,6 @@ def logged(job, script: str) -> Iterator[None]:
             log.removeHandler(handler)
             sys.stdout, sys.stderr = keep
             gc.freeze()  # the process ends here: what is left needs no search for garbage
-
-
-def worded(error: ValueError) -> bool:
-    """Return whether `error` comes from a `raise` of this project's code, and not from inside a library."""
-    *_, (frame, line) = traceback.walk_tb(error.__traceback__)
-    file = frame.f_code.co_filename
-    return linecache.getline(file, line).lstrip().startswith("raise ") and "site-packages" not in file
 
 
 def announce(sentence: str) -> None:

@@ -11,13 +11,14 @@ import json
 import os
 from pathlib import Path
 
+from gearwear.errors import GearwearError
 from gearwear.run.lock import LOCK
 
 VARIABLE = "GEARWEAR_RUN"
 REMEDY = "end what is left of it (on Slurm: scancel) and start the workflow again"
 
 
-class Outdated(ValueError):
+class Outdated(GearwearError):
     """What a job was ordered to do is no longer asked for."""
 
 

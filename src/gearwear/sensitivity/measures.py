@@ -9,12 +9,12 @@ import xarray as xr
 
 from gearwear.chain.geometry import geometry
 from gearwear.chain.states import last_state
+from gearwear.errors import Infeasible
 from gearwear.geometry.involute import GEARS
 from gearwear.onsets import route_to_chaos
 from gearwear.onsets.shifts import CASES
 from gearwear.oscillator.excitation import excitation
 from gearwear.oscillator.periodic import sum_of_harmonics
-from gearwear.run.stage import worded
 
 _NUMBERS = ("mean_stiffness", "stiffness_ripple", "relative_mean_error", "mean_half_backlash")
 _EVENTS = {"first_doubling": 0, "chaos_onset": -1}  # place among the events of a route
@@ -37,9 +37,7 @@ def measures(config: dict[str, Any]) -> xr.Dataset:
             pair = geometry(config)
             reference = last_state(config, pair, config["dynamics"]["reference_case"])
             found.append(_of(config, pair, last_state(config, pair, case, reference), reference))
-        except ValueError as error:
-            if not worded(error):
-                raise
+        except Infeasible as error:
             found.append(_nothing(str(error)))
     return xr.concat(found, dim="case").assign_coords(case=np.array(CASES, dtype=object), gear=list(GEARS))
 

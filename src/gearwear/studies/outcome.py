@@ -10,6 +10,7 @@ import xarray as xr
 from gearwear.chain.record import state_at
 from gearwear.codes.motion_class import NOT_CONVERGED
 from gearwear.codes.onset_codes import ORDERS
+from gearwear.errors import Infeasible
 from gearwear.geometry.involute import GEARS
 from gearwear.geometry.kinematics import angular_speed
 from gearwear.motions import parameter_map
@@ -18,7 +19,6 @@ from gearwear.motions.start import rest_state
 from gearwear.onsets import route_to_chaos
 from gearwear.oscillator.excitation import Excitation, excitation
 from gearwear.oscillator.periodic import sum_of_harmonics
-from gearwear.run.stage import worded
 
 _COLUMNS = tuple(name for name in parameter_map.KEPT if name != "transient_periods")
 _WHOLE = ("motion_class", "reason", "conflict", "period")
@@ -56,9 +56,7 @@ def outcome(cfg: dict[str, Any], chain: xr.Dataset, update: int) -> xr.Dataset:
     try:
         state, reference = state_at(chain, update)
         source = excitation(chain, state, reference, cfg["operation"]["pinion_torque"], cfg["dynamics"])
-    except ValueError as error:
-        if not worded(error):
-            raise
+    except Infeasible as error:
         return impossible(cfg["sweeps"]["mesh_frequency"], str(error))
     dynamics, order = cfg["dynamics"], cfg["sweeps"]["order"]
     sweeps = {one: route_to_chaos.swept(cfg, source, one) for one in sorted(ORDERS, key=lambda one: one != order)}

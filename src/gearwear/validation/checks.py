@@ -14,6 +14,8 @@ import numpy as np
 import yaml
 from pydantic import BaseModel, ConfigDict, ValidationError
 
+from gearwear.errors import BadFile
+
 UNITS = {
     "1": 1.0,
     "mm": 1e-3,
@@ -87,7 +89,7 @@ def read(path: str | Path) -> list[Check]:
 
     Raises
     ------
-    ValueError : an entry is not a check; the message names file, group, entry and key.
+    BadFile : an entry is not a check; the message names file, group, entry and key.
     """
     content = yaml.safe_load(Path(path).read_text(encoding="utf-8"))
     checks: list[Check] = []
@@ -98,35 +100,35 @@ def read(path: str | Path) -> list[Check]:
             except ValidationError as error:
                 first = error.errors()[0]
                 key = ".".join(str(part) for part in first["loc"])
-                raise ValueError(f"{path}: {group}, {raw.get('id', raw)}: {key}: {first['msg']}") from None
+                raise BadFile(f"{path}: {group}, {raw.get('id', raw)}: {key}: {first['msg']}") from None
             except ValueError as error:
-                raise ValueError(f"{path}: {group}, {raw['id']}: {error}") from None
+                raise BadFile(f"{path}: {group}, {raw['id']}: {error}") from None
     names = [(check.group, check.id) for check in checks]
     twice = {name for name in names if names.count(name) > 1}
     if twice:
-        raise ValueError(f"{path}: given more than once: {', '.join(map('.'.join, sorted(twice)))}; rename one")
+        raise BadFile(f"{path}: given more than once: {', '.join(map('.'.join, sorted(twice)))}; rename one")
     return checks
 
 
 def _check(group: str, entry: Entry, sources: Mapping[str, str]) -> Check:
     if entry.source not in sources:
-        raise ValueError(f"source {entry.source!r} is not listed; it may be {', '.join(sources)}")
+        raise BadFile(f"source {entry.source!r} is not listed; it may be {', '.join(sources)}")
     if entry.unit not in UNITS:
-        raise ValueError(f"unit {entry.unit!r} is unknown; it may be {', '.join(UNITS)}")
+        raise BadFile(f"unit {entry.unit!r} is unknown; it may be {', '.join(UNITS)}")
     if entry.absolute is not None and entry.relative is None:
         kind, given = "absolute", entry.absolute
     elif entry.relative is not None and entry.absolute is None:
         kind, given = "relative", entry.relative
     else:
-        raise ValueError("needs either relative or absolute, the tolerance")
+        raise BadFile("needs either relative or absolute, the tolerance")
     if len(entry.along) > 1 or (entry.along and entry.at):
-        raise ValueError("along takes one parameter, and no labels beside it")
+        raise BadFile("along takes one parameter, and no labels beside it")
     along, values = next(iter(entry.along.items()), ("", entry.at))
     count = len(values) or np.size(entry.expected)
     expected = np.broadcast_to(entry.expected, count) if np.size(entry.expected) == 1 else np.array(entry.expected)
     allowed = np.broadcast_to(given, count) if np.size(given) == 1 else np.array(given)
     if not len(expected) == len(allowed) == count:
-        raise ValueError(f"{len(expected)} expected numbers and {len(allowed)} tolerances for {count} places")
+        raise BadFile(f"{len(expected)} expected numbers and {len(allowed)} tolerances for {count} places")
     scale = np.abs(expected) if kind == "relative" else 1.0
     places = tuple(value if isinstance(value, str) else f"{value:.12g}" for value in values) or ("",) * count
     return Check(

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from gearwear.errors import BadFile
 from gearwear.validation.checks import UNITS, Check
 
 AGREES, DIFFERS = "agrees", "differs"
@@ -51,10 +52,10 @@ def compute(check: Check, quantities: Mapping[str, Callable]) -> Outcome:
 
     Raises
     ------
-    ValueError : the group has no such quantity, or it gives another count of numbers than expected.
+    BadFile : the group has no such quantity, or it gives another count of numbers than expected.
     """
     if check.quantity not in quantities:
-        raise ValueError(
+        raise BadFile(
             f"{check.group}, {check.id}: quantity {check.quantity!r} is unknown; it may be {', '.join(quantities)}"
         )
     function = quantities[check.quantity]
@@ -63,7 +64,7 @@ def compute(check: Check, quantities: Mapping[str, Callable]) -> Outcome:
     else:
         found = np.atleast_1d(function(**check.given))
     if found.shape != (len(check.expected),):
-        raise ValueError(f"{check.group}, {check.id}: {found.shape} numbers found, {len(check.expected)} expected")
+        raise BadFile(f"{check.group}, {check.id}: {found.shape} numbers found, {len(check.expected)} expected")
     return Outcome(check, tuple(map(float, found / UNITS[check.unit])))
 
 

@@ -1,11 +1,14 @@
+from pathlib import Path
+
 import yaml
 
 from gearwear.config import check, listing, origins
-from gearwear.run.digest import SCRIPTS
+
+ROOT = Path(__file__).resolve().parents[3]
 
 
 def listed(changes=None):
-    text = (SCRIPTS.parents[1] / "config" / "config.yaml").read_text()
+    text = (ROOT / "config" / "config.yaml").read_text()
     config = check.check(yaml.safe_load(text) | (changes or {}))
     layers = [origins.file_layer("config.yaml", text), origins.command_line_layer(changes or {})]
     rows = list(listing.rows(config, layers))

@@ -1,11 +1,14 @@
 """Where the values of a configuration come from."""
 
+from pathlib import Path
+
 import pytest
 
 from gearwear.config.origins import command_line_layer, file_layer, origin
-from gearwear.run.digest import SCRIPTS
 
-CONFIG = SCRIPTS.parents[1] / "config"
+ROOT = Path(__file__).resolve().parents[3]
+
+CONFIG = ROOT / "config"
 DEFAULT = file_layer("config.yaml", (CONFIG / "config.yaml").read_text(encoding="utf-8"))
 OWN = file_layer("own_pair.yaml", (CONFIG / "own_pair.yaml").read_text(encoding="utf-8"))
 TURBO = """

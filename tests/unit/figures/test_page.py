@@ -2,13 +2,15 @@
 
 import base64
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray as xr
 
 from gearwear.figures import motion_classes, page
-from gearwear.run.digest import SCRIPTS
+
+ROOT = Path(__file__).resolve().parents[3]
 
 STEPS, LONGEST, SAMPLES, TEETH = 128, 10, 30, 20
 STATE = {"case": "with", "cycle": 21, "bulk_temperature": 100.0, "running_cycles": 2.1e9, "flash": True}
@@ -92,7 +94,7 @@ def test_spectrum_has_the_lines_of_the_force(record):
 
 
 def test_the_page_needs_no_other_file_and_has_the_colours_of_the_figures(record):
-    report = SCRIPTS.parent / "report"
+    report = ROOT / "workflow" / "report"
     text = page.page(*((report / name).read_text() for name in ("page.html.j2", "page.js")), [record])
     assert not re.search(r"https?:|//[a-z]+\.[a-z]|\bimport\b|fetch\(|<link (?!rel=\"icon\" href=\"data:)", text)
     for name in ("P1", "P2", "CH"):

@@ -1,12 +1,14 @@
 import csv
 from html.parser import HTMLParser
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
 from gearwear.figures import page, scorecard
 from gearwear.io import tables
-from gearwear.run.digest import SCRIPTS
+
+ROOT = Path(__file__).resolve().parents[3]
 
 ROWS = [("a.key", "1.5", "m", "length of < and &"), ("list", "[1, 2]", "-", 'two, "quoted"')]
 
@@ -19,7 +21,7 @@ def test_numbers_of_a_csv_read_back_as_the_same(tmp_path):
 
 
 def test_a_table_is_written_as_csv_and_as_a_page_of_its_own(tmp_path):
-    template = str(SCRIPTS.parent / "report" / "table.html.j2")
+    template = str(ROOT / "workflow" / "report" / "table.html.j2")
     output = SimpleNamespace(csv=str(tmp_path / "table.csv"), html=str(tmp_path / "table.html"))
     job = SimpleNamespace(input=SimpleNamespace(template=template), output=output)
     tables.write(job, "parameters", ("key", "value", "unit", "meaning"), iter(ROWS))
@@ -77,12 +79,14 @@ def shape(text):
 
 
 def template(name):
-    return (SCRIPTS.parent / "report" / name).read_text(encoding="utf-8")
+    return (ROOT / "workflow" / "report" / name).read_text(encoding="utf-8")
 
 
 def table_page(folder, text):
     output = SimpleNamespace(csv=str(folder / "table.csv"), html=str(folder / "table.html"))
-    job = SimpleNamespace(input=SimpleNamespace(template=str(SCRIPTS.parent / "report/table.html.j2")), output=output)
+    job = SimpleNamespace(
+        input=SimpleNamespace(template=str(ROOT / "workflow" / "report/table.html.j2")), output=output
+    )
     tables.write(job, text, (text, "value"), [(text, text), ("-", text)])
     return (folder / "table.html").read_text(encoding="utf-8")
 
