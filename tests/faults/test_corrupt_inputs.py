@@ -10,7 +10,7 @@ import pytest
 import xarray as xr
 
 from gearwear.io import store
-from gearwear.io.variables import field_of
+from gearwear.io.variables import variable_of
 from gearwear.run import inputs
 
 REMEDY = "run the workflow again"
@@ -51,7 +51,7 @@ def not_finite(path):
     with netCDF4.Dataset(path, "a") as file:
         for name, variable in file.variables.items():
             kind = variable.dtype if variable.dtype is str else variable.dtype.kind
-            if kind == "f" and not field_of(name, variable.dimensions).may_be_missing:
+            if kind == "f" and not variable_of(name, variable.dimensions).may_be_missing:
                 variable[...] = np.nan
                 return
 

@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from gearwear.io.variables import FIELDS, field_of
+from gearwear.io.variables import variable_of, variables
 
 PATH, PHASE, BOTH = ("path",), ("mesh_phase",), ("gear", "path")
 CONTENTS = {
@@ -74,10 +74,10 @@ def test_file_holds_its_variables(states, loaded, case, stage):
     for name, dims in CONTENTS[stage].items():
         assert dataset[name].dims == dims
         assert np.isfinite(dataset[name].values).all() if dataset[name].dtype.kind == "f" else True
-        units = field_of(name, dims).units
+        units = variable_of(name, dims).units
         assert dataset[name].attrs.get("units", "") == units
         assert dataset[name].attrs["long_name"]
-    assert set(dataset.variables) - set(CONTENTS[stage]) <= set(FIELDS)
+    assert set(dataset.variables) - set(CONTENTS[stage]) <= set(variables())
 
 
 @pytest.mark.parametrize("stage", CONTENTS)

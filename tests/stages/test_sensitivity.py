@@ -10,7 +10,7 @@ import pytest
 import xarray as xr
 
 from gearwear.chain.geometry import geometry
-from gearwear.chain.states import last_state
+from gearwear.chain.history import last_state
 from gearwear.config.slices import slice_of
 from gearwear.config.variations import variations
 from gearwear.io import store

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from gearwear.chain.geometry import geometry
-from gearwear.chain.record import record, state_at
-from gearwear.chain.states import last_state
+from gearwear.chain.history import record, state_at
+from gearwear.chain.history import last_state
 from gearwear.config.histories import chains
 from gearwear.config.slices import slice_of
 from gearwear.io import store

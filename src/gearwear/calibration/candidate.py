@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from gearwear.chain.geometry import geometry
-from gearwear.chain.states import last_state, states_of_case
+from gearwear.chain.history import last_state, states_of_case
 from gearwear.claims.study import Study
 from gearwear.claims.sweeps import Sweep
 from gearwear.codes import motion_class

@@ -9,6 +9,7 @@ import xarray as xr
 
 from gearwear.geometry.kinematics import angular_speed
 from gearwear.integrate.strobe import trace
+from gearwear.io.store import together
 from gearwear.motions.motion_variables import end_of
 from gearwear.motions.settling import Settling, settle
 from gearwear.motions.start import rest_state
@@ -16,15 +17,25 @@ from gearwear.oscillator.excitation import excitation, restoring_force
 from gearwear.oscillator.periodic import Harmonics
 
 
-def response(cfg: dict[str, Any], geometry: xr.Dataset, state: xr.Dataset, reference: xr.Dataset) -> xr.Dataset:
+def response(
+    cfg: dict[str, Any],
+    geometry: xr.Dataset,
+    mesh_stiffness: xr.Dataset,
+    transmission_error: xr.Dataset,
+    backlash: xr.Dataset,
+    reference_stiffness: xr.Dataset,
+    reference_error: xr.Dataset,
+) -> xr.Dataset:
     """Return the motion, its mesh force and the parameters of the oscillator.
 
     Parameters
     ----------
     cfg : the slice `response`.
-    state, reference : mesh of the state and of the pristine reference case, as store.mesh_states gives them.
+    reference_stiffness, reference_error : of the pristine reference case.
     """
     dynamics, speed = cfg["dynamics"], cfg["operation"]["pinion_speed"]
+    state = together([mesh_stiffness, transmission_error, backlash])
+    reference = together([reference_stiffness, reference_error])
     source = excitation(geometry, state, reference, cfg["operation"]["pinion_torque"], dynamics)
     mesh_frequency = float(geometry["teeth"][0]) * angular_speed(geometry, speed)[0]
     ratio = mesh_frequency / source.natural_frequency

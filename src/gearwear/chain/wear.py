@@ -1,4 +1,4 @@
-"""Wear of both flanks, block by block of running cycles."""
+"""Wear of both flanks, one wear cycle after another."""
 
 from __future__ import annotations
 
@@ -19,7 +19,18 @@ from gearwear.wear.archard import overshoot, wear_per_revolution
 COARSE, _UNSTABLE = 0.45, 0.9  # depth of one block over elastic deflection, see gearwear.wear.archard.overshoot
 
 
-def worn(
+def unworn(geometry: xr.Dataset) -> xr.Dataset:
+    """Return the flanks without wear."""
+    none = np.zeros((geometry.sizes["gear"], geometry.sizes["path"]))
+    values = {
+        "wear_depth": (("gear", "path"), none),
+        "wear_per_revolution": (("gear", "path"), none),
+        "running_cycles": 0.0,
+    }
+    return xr.Dataset(values, {"path": geometry["path"], "gear": geometry["gear"]})
+
+
+def wear(
     cfg: dict[str, Any],
     geometry: xr.Dataset,
     wear: xr.Dataset,
@@ -31,7 +42,7 @@ def worn(
 
     Parameters
     ----------
-    cfg : the slice `advance_wear`.
+    cfg : the slice `wear`.
 
     Raises
     ------

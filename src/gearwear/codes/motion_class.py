@@ -14,6 +14,11 @@ AGREED, NO_STABLE_ORBIT, OTHER_PERIOD, POSITIVE_EXPONENT = range(4)
 CONFLICT_VALUES = (AGREED, NO_STABLE_ORBIT, OTHER_PERIOD, POSITIVE_EXPONENT)
 CONFLICT_MEANINGS = ("none", "no_stable_orbit", "other_period", "positive_exponent")
 
+# As the flags of the files.
+MOTION_CLASSES = dict(zip(FLAG_MEANINGS, FLAG_VALUES, strict=True))
+REASONS = dict(zip(REASON_MEANINGS, REASON_VALUES, strict=True))
+CONFLICTS = dict(zip(CONFLICT_MEANINGS, CONFLICT_VALUES, strict=True))
+
 
 def class_name(value: int) -> str:
     """Name of a class of motion: P1 to P64 for the period in forcing periods, QP, CH or not_converged."""

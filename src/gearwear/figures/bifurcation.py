@@ -12,9 +12,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from gearwear.codes.motion_class import CONFLICTS
 from gearwear.figures import branches, motion_classes, orders, sections, states, swept
 from gearwear.figures.sheet import DOUBLE, letter
-from gearwear.io.variables import CONFLICTS
 
 # Heights and margins, mm.
 _LEFT, _RIGHT, _TOP, _BOTTOM = 18.0, 3.0, 14.0, 10.0

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch, Rectangle
 
-from gearwear.io.variables import MOTION_CLASSES
+from gearwear.codes.motion_class import MOTION_CLASSES
 
 _NAMES = {code: name for name, code in MOTION_CLASSES.items()}
 # Okabe and Ito (2008), safe for colour-blind readers; a lighter grey would look like QP to those who see no green.

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from gearwear.io.variables import FIELDS, Field
+from gearwear.io.variables import Variable, variables
 
 FILE = Path(__file__).parents[3] / "docs" / "data.md"
 
@@ -26,7 +26,7 @@ Where a name stands twice, the dimensions tell which is meant. (nan) marks what 
 
 def text() -> str:
     """Return the page."""
-    return _HEAD + "".join(_row(name.removeprefix("swept "), field) for name, field in FIELDS.items())
+    return _HEAD + "".join(_row(name.removeprefix("swept "), field) for name, field in variables().items())
 
 
 def write() -> None:
@@ -34,7 +34,7 @@ def write() -> None:
     FILE.write_text(text(), encoding="utf-8")
 
 
-def _row(name: str, field: Field) -> str:
+def _row(name: str, field: Variable) -> str:
     shapes = " or ".join(f"({', '.join(dims)})" if dims else "scalar" for dims in field.dims)
     flags = list((field.flags or {}).items())
     shown = [f"{number} {word}" for word, number in flags[:_MOST_FLAGS]]

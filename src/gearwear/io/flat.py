@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import pandas as pd
 import xarray as xr
 
-from gearwear.io.variables import Field, field_of
+from gearwear.io.variables import Variable, variable_of
 
 # Dimensions of the rows of the tables that hand a case over, slowest first.
 TABLES = {
@@ -23,7 +23,7 @@ class Column(NamedTuple):
     """Heading `name [unit]`, or the name alone of a plain number, its entry in the table of fields, and its values."""
 
     heading: str
-    field: Field
+    field: Variable
     values: xr.DataArray
 
 
@@ -63,7 +63,7 @@ def _belongs(values: xr.DataArray, dims: tuple[str, ...]) -> bool:
 
 
 def _columns(values: xr.DataArray, name: str, dims: tuple[str, ...]) -> Iterator[Column]:
-    field = field_of(name, tuple(map(str, values.dims)))
+    field = variable_of(name, tuple(map(str, values.dims)))
     unit = f" [{field.units}]" if field.units not in ("", "1") else ""
     if "gear" not in values.dims or "gear" in dims:
         yield Column(f"{name}{unit}", field, values)

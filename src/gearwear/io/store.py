@@ -1,18 +1,17 @@
 """The one reader and the one writer of netCDF files.
 
-Every array gets its units and name from `fields`; every file carries the settings and the code that
-made it and a lineage, one digest over these and the lineages of its inputs. No time, host or path is
-written: the same configuration gives the same bytes.
+Every array gets its units and name from the table of variables. Every file carries the settings and the code that made
+it, the path of the result that it holds, and a lineage: a digest over these and the lineages of its inputs. No time,
+host or machine path is written: the same configuration gives the same bytes.
 """
 
 from __future__ import annotations
 
 import hashlib
 import json
-import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -20,110 +19,132 @@ import netCDF4
 import numpy as np
 import xarray as xr
 
-from gearwear.errors import BadFile
+from gearwear.errors import BadFile, Infeasible
 from gearwear.io.atomic import atomic
-from gearwear.io.variables import field_of
+from gearwear.io.variables import is_key, variable_of
 
 CONVENTIONS = "CF-1.11"
 SOURCE = "gearwear"
 _MARKS = {"stage", "lineage", "config", "inputs"}
 _REMEDY = "delete it and run the workflow again"
 
-# Name of a result file, or else of its folder, and the rules that make it.
-_MADE_BY = {
-    "geometry": ("build_geometry",),
-    "temperature": ("heat_contact",),
-    "deformation": ("grow_flanks",),
-    "wear": ("start_wear", "advance_wear"),
-    "mesh_stiffness": ("build_stiffness",),
-    "transmission_error": ("share_load",),
-    "backlash": ("open_backlash",),
-    "response": ("solve_response",),
-    "excitation": ("build_excitation", "give_excitation"),
-    "parts": ("sweep_part",),
-    "restart": ("join_sweep",),
-    "up": ("carry_sweep",),
-    "down": ("carry_sweep",),
-    "branches": ("continue_orbits",),
-    "portraits": ("trace_portraits",),
-    "motions": ("trace_motions",),
-    "basins": ("map_basins",),
-    "chains": ("run_chain",),
-    "tiles": ("map_tile", "map_temperature"),
-    "maps": ("join_map",),
-    "onsets": ("locate_onsets",),
-    "onset_variants": ("vary_onsets",),
-    "member_onsets": ("measure_onsets",),
-    "onset_shifts": ("compare_onsets",),
-    "measures": ("measure_member",),
-    "outcome": ("measure_outcome",),
-    "study": ("gather_study",),
-    "sensitivity": ("compare_members",),
-    "searches": ("search_parameters",),
-    "calibration": ("compare_candidates",),
-    "handover": ("gather_handover",),
-}
-
-# names of nothing else
-_SINGLE = (
-    "geometry",
-    "excitation",
-    "onsets",
-    "onset_variants",
-    "member_onsets",
-    "onset_shifts",
-    "measures",
-    "outcome",
-    "study",
-    "sensitivity",
-    "calibration",
-    "handover",
-)
-
 
 @dataclass(frozen=True)
-class Head:
-    """What a result file says of itself: its rule, lineage, settings, the lineages of its inputs, its dimensions."""
+class Origin:
+    """What makes a result: the stage, its settings, the digest of its code, the lineages of its inputs by name."""
 
-    path: str
     stage: str
-    lineage: str
-    config: dict[str, Any]
-    inputs: dict[str, str]
-    sizes: dict[str, int]
+    config: Mapping[str, Any]
+    code: str
+    inputs: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def lineage(self) -> str:
+        """16 hexadecimal digits that change with everything behind the result."""
+        made_of = json.dumps([self.stage, self._config, self.code, dict(self.inputs)], sort_keys=True)
+        return hashlib.sha256(made_of.encode()).hexdigest()[:16]
+
+    @property
+    def _config(self) -> str:
+        return json.dumps(self.config, sort_keys=True)
+
+    def attributes(self) -> dict[str, str]:
+        """Return the attributes that tell it in a file."""
+        return {
+            "stage": self.stage,
+            "config": self._config,
+            "code": self.code,
+            "inputs": json.dumps(dict(self.inputs), sort_keys=True),
+            "lineage": self.lineage,
+        }
 
 
-def head(path: str | Path) -> Head:
-    """Read what a result file says of itself; errors are those of `load`."""
-    with _readable(path), netCDF4.Dataset(path) as file:
-        attrs = {name: file.getncattr(name) for name in file.ncattrs()}
-        sizes = {name: len(dimension) for name, dimension in file.dimensions.items()}
-    _own(path, attrs)
-    config, inputs = json.loads(attrs["config"]), json.loads(attrs["inputs"])
-    return Head(str(path), attrs["stage"], attrs["lineage"], config, inputs, sizes)
+def origin_of(dataset: xr.Dataset) -> Origin:
+    """Return what made a dataset that `load` read."""
+    attrs = dataset.attrs
+    return Origin(attrs["stage"], json.loads(attrs["config"]), attrs["code"], json.loads(attrs["inputs"]))
 
 
-def load(path: str | Path) -> xr.Dataset:
-    """Read a result of an earlier stage into memory.
+def load(path: str | Path, only: Sequence[str] | None = None) -> xr.Dataset:
+    """Read a result into memory.
+
+    Parameters
+    ----------
+    path : of the file.
+    only : names of the variables to read, beside their coordinates; None for all.
 
     Raises
     ------
-    BadFile : the file is missing, truncated, not written by this program, or holds a value that
-        is not finite; the message names the file and says what to do.
+    BadFile : the file is missing, truncated, not written by this program, or holds a value that is not finite.
     """
     with _readable(path), xr.open_dataset(path, engine="netcdf4", decode_times=False) as lazy:
-        dataset = lazy.load()
-    _own(path, dataset.attrs)
+        dataset = (lazy if only is None else lazy[list(only)]).load()
+    if dataset.attrs.get("source") != SOURCE or not dataset.attrs.keys() >= _MARKS:
+        raise BadFile(f"{path}: not a result of this workflow (no lineage); {_REMEDY}")
     for name, values in dataset.variables.items():
-        try:
-            optional = field_of(str(name), tuple(map(str, values.dims))).may_be_missing
-        except ValueError as error:
-            raise BadFile(f"{path}: {error}; {_REMEDY}") from None
-        if values.dtype.kind != "f" or optional:
-            continue
-        if not np.isfinite(values).all():
+        if values.dtype.kind == "f" and not np.isfinite(values).all() and not _may_be_missing(path, name, values):
             raise BadFile(f"{path}: {name} holds values that are not finite; {_REMEDY}")
     return dataset
+
+
+def save(dataset: xr.Dataset, path: str | Path, origin: Origin) -> None:
+    """Write a result, complete or not at all.
+
+    Parameters
+    ----------
+    dataset : variables and coordinates of the table of variables.
+    path : of the file.
+    origin : what made it.
+
+    Raises
+    ------
+    BadFile : a variable is unknown or has other dimensions than its entry, or the file cannot be written.
+    Infeasible : a variable that must be finite is not.
+    """
+    from gearwear import __version__
+
+    dataset = dataset.copy()
+    for name in dataset.variables:
+        _describe(dataset, str(name))
+    dataset.attrs = {
+        "Conventions": CONVENTIONS,
+        "title": f"{origin.stage.replace('_', ' ')} of a worn, hot spur gear pair",
+        "source": SOURCE,
+        "version": __version__,
+        "result": result_of(path),
+        **origin.attributes(),
+    }
+    encoding = {name: {"_FillValue": None} for name in dataset.variables}
+    with atomic(path) as temporary:
+        dataset.to_netcdf(temporary, engine="netcdf4", encoding=encoding)
+
+
+def result_of(path: str | Path) -> str:
+    """Return the path of a result below the folder `results`; where there is none, its name."""
+    parts = Path(path).parts
+    below = parts[parts.index("results") + 1 :] if "results" in parts else parts[-1:]
+    return "/".join(below)
+
+
+def lineage(path: str | Path) -> str:
+    """Return the lineage of a result file."""
+    with _readable(path), netCDF4.Dataset(path) as file:
+        return file.lineage
+
+
+def lineages(inputs: Mapping[str, xr.Dataset | Sequence[xr.Dataset]]) -> dict[str, str]:
+    """Return the lineages behind every named input, each once: the parts of one whole share theirs."""
+    found = {}
+    for name, several in inputs.items():
+        behind = {one.attrs["lineage"] for one in ([several] if isinstance(several, xr.Dataset) else several)}
+        if behind:
+            found[name] = " ".join(sorted(behind))
+    return found
+
+
+def together(parts: Iterable[xr.Dataset]) -> xr.Dataset:
+    """Return parts of one state as one dataset."""
+    return xr.merge(parts, compat="override", join="override", combine_attrs="drop")
 
 
 @contextmanager
@@ -136,111 +157,27 @@ def _readable(path: str | Path) -> Iterator[None]:
         raise BadFile(f"{path}: not a readable netCDF file ({error}); {_REMEDY}") from None
 
 
-def _own(path: str | Path, attrs: Mapping[str, Any]) -> None:
-    if attrs.get("source") != SOURCE or not attrs.keys() >= _MARKS:
-        raise BadFile(f"{path}: not a result of this workflow (no lineage); {_REMEDY}")
-    expected = _makers(Path(path))
-    if expected and attrs["stage"] not in expected:
-        raise BadFile(f"{path}: a result of {attrs['stage']}, not of {' or '.join(expected)}; {_REMEDY}")
-
-
-def _makers(path: Path) -> tuple[str, ...]:
-    """Return the rules that may have made a result, by its place: a swept quantity may be named like a stage."""
-    # Studies, members, cases and swept quantities may be called like stages or their folders.
-    if path.stem in _SINGLE:
-        return _MADE_BY[path.stem]
-    folder, above = path.parent.name, path.parent.parent.name
-    if re.fullmatch(r"\d+-of-\d+", path.stem):
-        return _MADE_BY["tiles" if above == "tiles" else "parts"]
-    if re.fullmatch(r"q\d{3}", path.stem) or folder in (
-        "chains",
-        "branches",
-        "portraits",
-        "basins",
-        "maps",
-        "searches",
-    ):
-        return _MADE_BY.get(folder, ())
-    if above in ("sweeps", "motions") and folder in ("restart", "up", "down"):
-        return _MADE_BY[folder if above == "sweeps" else above]
-    return _MADE_BY[path.stem] if path.stem in ("temperature", "deformation") else ()
-
-
-def save(dataset: xr.Dataset, job) -> None:
-    """Write `dataset` as the output of `job`, complete or not at all.
-
-    Parameters
-    ----------
-    dataset : variables and coordinates named in `fields.FIELDS`.
-    job : object with `rule`, `input` (named files), `output`, `params.cfg` and `params.code`.
-
-    Raises
-    ------
-    BadFile : a variable is unknown, has other dimensions than its entry or is not finite.
-    """
-    dataset = dataset.copy()
-    for name in dataset.variables:
-        _describe(dataset, str(name))
-    config = json.dumps(job.params.cfg, sort_keys=True)
-    inputs = lineages(job)
-    made_of = json.dumps([job.rule, config, job.params.code, inputs], sort_keys=True)
-    dataset.attrs = {
-        "Conventions": CONVENTIONS,
-        "title": f"{job.rule.replace('_', ' ')} of a worn, hot spur gear pair",
-        "source": SOURCE,
-        "stage": job.rule,
-        "config": config,
-        "code": job.params.code,
-        "inputs": json.dumps(inputs, sort_keys=True),
-        "lineage": hashlib.sha256(made_of.encode()).hexdigest()[:16],
-    }
-    encoding = {name: {"_FillValue": None} for name in dataset.variables}
-    with atomic(job.output[0]) as temporary:
-        dataset.to_netcdf(temporary, engine="netcdf4", encoding=encoding)
-
-
-def mesh_states(inputs) -> tuple[xr.Dataset, xr.Dataset]:
-    """Return the mesh of a state and that of the pristine reference case, each as one dataset.
-
-    Parameters
-    ----------
-    inputs : named files `mesh_stiffness`, `transmission_error`, `backlash`, `reference_stiffness`, `reference_error`.
-    """
-    state = [load(path) for path in (inputs.mesh_stiffness, inputs.transmission_error, inputs.backlash)]
-    reference = [load(path) for path in (inputs.reference_stiffness, inputs.reference_error)]
-    return together(state), together(reference)
-
-
-def together(parts: Iterable[xr.Dataset]) -> xr.Dataset:
-    """Return parts of one state as one dataset."""
-    return xr.merge(parts, compat="override", join="override", combine_attrs="drop")
-
-
-def lineage(path: str | Path) -> str:
-    """Return the lineage of a result file."""
-    with netCDF4.Dataset(path) as file:
-        return file.lineage
-
-
-def lineages(job) -> dict[str, str]:
-    """Return the lineages behind every named input of `job`, each once: the parts of one whole share theirs."""
-    found = {}
-    for name, paths in sorted(job.input.items()):
-        several = [paths] if isinstance(paths, str | Path) else paths
-        behind = sorted({lineage(path) for path in several if str(path).endswith(".nc")})
-        if behind:
-            found[name] = " ".join(behind)
-    return found
+def _may_be_missing(path: str | Path, name: Any, values: xr.Variable) -> bool:
+    if is_key(str(name)):
+        return False
+    try:
+        return variable_of(str(name), tuple(map(str, values.dims))).may_be_missing
+    except BadFile as error:
+        raise BadFile(f"{path}: {error}; {_REMEDY}") from None
 
 
 def _describe(dataset: xr.Dataset, name: str) -> None:
     values = dataset[name]
-    field = field_of(name, tuple(map(str, values.dims)))
-    if values.dtype.kind == "f" and not field.may_be_missing and not np.isfinite(values).all():
-        raise BadFile(f"{name}: holds values that are not finite")
-    values.attrs = {"long_name": field.long_name}
-    if field.units:
-        values.attrs["units"] = field.units
-    if field.flags:
-        numbers = np.array(list(field.flags.values()), dtype=values.dtype)
-        values.attrs |= {"flag_values": numbers, "flag_meanings": " ".join(field.flags)}
+    if is_key(name):
+        if values.dims != (name,):
+            raise BadFile(f"{name}: dimensions {values.dims}, expected a key of the configuration along itself")
+        return
+    entry = variable_of(name, tuple(map(str, values.dims)))
+    if values.dtype.kind == "f" and not entry.may_be_missing and not np.isfinite(values).all():
+        raise Infeasible(f"{name}: holds values that are not finite")
+    values.attrs = {"long_name": entry.long_name}
+    if entry.units:
+        values.attrs["units"] = entry.units
+    if entry.flags:
+        numbers = np.array(list(entry.flags.values()), dtype=values.dtype)
+        values.attrs |= {"flag_values": numbers, "flag_meanings": " ".join(entry.flags)}

@@ -1,69 +1,200 @@
-"""Digest of a stage script and of every project module it can reach.
+"""Digest of the code that a stage can run.
 
-Snakemake does not see imported modules; with this digest among a rule's parameters a change of the
-physics re-runs the stages that use it. Comments, layout and docstrings do not count.
+Snakemake does not see imported modules. With this digest among the parameters of a rule, a change of the code re-runs
+the stages that use it and no others. The digest covers the functions, classes and constants of this package that a
+stage reaches by name. Comments, layout, docstrings and imports for type checkers do not count.
 """
 
 from __future__ import annotations
 
+import ast
 import hashlib
-from functools import lru_cache
+import json
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from functools import cache, lru_cache
 from pathlib import Path
 
-from gearwear.run.outlines import outline
+PACKAGE = Path(__file__).resolve().parents[1]
+_READ_AND_WRITE = ("io.store:save", "io.store:load")  # every stage does
+_DIGITS = 16
+_WHOLE = "*"  # all definitions of a module
+_AT_IMPORT = ""  # what a module does when it is imported
 
-SCRIPTS = Path(__file__).resolve().parents[2]
+Symbol = tuple[str, str]  # module below the package, name
 
 
-@lru_cache(None)
-def digest(script: str | Path, root: str | Path = SCRIPTS) -> str:
-    """Return 16 hexadecimal digits that change with the code `script` can run.
+@cache
+def digest(target: str, package: Path = PACKAGE) -> str:
+    """Return 16 hexadecimal digits that change with the code that a function can run.
 
     Parameters
     ----------
-    script : the stage script.
-    root : folder from which absolute imports of project modules are resolved.
+    target : `module:function`, the module as a dotted name below the package.
+    package : folder of the package.
     """
     total = hashlib.sha256()
-    for path in closure(Path(script), Path(root)):
-        total.update(_entry(path, Path(root)))
-    return total.hexdigest()[:16]
+    for (module, name), code in sorted(reached((target, *_READ_AND_WRITE), package)):
+        total.update(f"{module}\0{name}\0{code}\0".encode())
+    return total.hexdigest()[:_DIGITS]
 
 
-def closure(script: Path, root: Path = SCRIPTS) -> list[Path]:
-    """Return the project files that `script` imports, directly or not, itself included, sorted."""
-    found: set[Path] = set()
-    todo = [script]
+def digests(targets: Iterable[str], folder: Path) -> dict[str, str]:
+    """Return the digest of each target, from `folder` where an earlier command left them for the same sources.
+
+    A folder that cannot be read or written costs time only.
+    """
+    targets, file = sorted(targets), folder / f"{source_key()}.json"
+    with suppress(OSError, ValueError):
+        kept = json.loads(file.read_text(encoding="utf-8"))
+        if sorted(kept) == targets:
+            return kept
+    found = {target: digest(target) for target in targets}
+    with suppress(OSError):
+        folder.mkdir(parents=True, exist_ok=True)
+        partial = file.with_suffix(f".{hashlib.sha256(str(targets).encode()).hexdigest()[:8]}.tmp")
+        partial.write_text(json.dumps(found), encoding="utf-8")
+        partial.replace(file)
+    return found
+
+
+@lru_cache
+def source_key(package: Path = PACKAGE) -> str:
+    """Return 16 hexadecimal digits that change with every Python file of the package."""
+    total = hashlib.sha256()
+    for path in sorted(package.rglob("*.py")):
+        total.update(f"{path.relative_to(package)}\0".encode() + path.read_bytes())
+    return total.hexdigest()[:_DIGITS]
+
+
+def reached(targets: Iterable[str], package: Path = PACKAGE) -> set[tuple[Symbol, str]]:
+    """Return the code of every definition that the targets reach, with its module and name."""
+    found: set[tuple[Symbol, str]] = set()
+    seen: set[Symbol] = set()
+    todo: list[Symbol] = [(module, name) for module, _, name in (target.partition(":") for target in targets)]
     while todo:
-        path = todo.pop()
-        if path not in found:
-            found.add(path)
-            todo += _neighbours(path, root)
-    return sorted(found)
+        symbol = todo.pop()
+        if symbol in seen:
+            continue
+        seen.add(symbol)
+        module, name = symbol
+        source = _source(module, package)
+        todo.append((module, _AT_IMPORT))
+        if name == _AT_IMPORT:
+            todo += [(other, _AT_IMPORT) for other in source.imported()]
+        for statement in source.statements(name):
+            found.add((symbol, _code(statement)))
+            todo += source.references(statement)
+    return found
 
 
-@lru_cache(None)
-def _entry(path: Path, root: Path) -> bytes:
-    name = path.relative_to(root) if path.is_relative_to(root) else path.name
-    return f"{name}\0{outline(path).digest}\0".encode()
+@cache
+def _source(module: str, package: Path) -> _Source:
+    return _Source(module, package)
 
 
-@lru_cache(None)
-def _neighbours(path: Path, root: Path) -> tuple[Path, ...]:
-    return tuple({file for name in outline(path).imports for file in _files(name, root)})
+@cache
+def _file(module: str, package: Path) -> Path | None:
+    path = package.joinpath(*filter(None, module.split(".")))
+    files = (path.with_name(f"{path.name}.py"), path / "__init__.py")
+    return next((file for file in files if file.is_file()), None)
 
 
-@lru_cache(None)
-def _files(name: str, root: Path) -> tuple[Path, ...]:
-    """Return the files of a dotted name: its module and the packages that this lies in."""
-    parts = name.split(".")
-    stems = (".".join(parts[:depth]) for depth in range(1, len(parts) + 1))
-    return tuple(_modules(root)[stem] for stem in stems if stem in _modules(root))
+class _Source:
+    """The statements of a module, by the names that they define, and what they refer to."""
+
+    def __init__(self, module: str, package: Path):
+        self.module, self._package = module, package
+        self._defined: dict[str, list[ast.stmt]] = {_AT_IMPORT: []}
+        self._imported: dict[str, Symbol] = {}
+        file = _file(module, package)
+        for statement in ast.parse(file.read_bytes()).body if file else ():
+            if isinstance(statement, ast.Import | ast.ImportFrom):
+                self._imported |= self._names_of(statement)
+            elif not _for_type_checkers(statement) and not _is_docstring(statement):
+                for name in _bound(statement) or (_AT_IMPORT,):
+                    self._defined.setdefault(name, []).append(statement)
+
+    def statements(self, name: str) -> list[ast.stmt]:
+        """Return the statements that define a name."""
+        if name == _WHOLE:
+            return [statement for several in self._defined.values() for statement in several]
+        return self._defined.get(name, [])
+
+    def imported(self) -> set[str]:
+        """Return the modules that are imported with this one, the packages around it included."""
+        around = self.module.split(".")[:-1]
+        packages = {".".join(around[:depth]) for depth in range(1, len(around) + 1)}
+        return packages | {self._module_of(symbol) for symbol in self._imported.values()}
+
+    def references(self, statement: ast.stmt) -> Iterator[Symbol]:
+        """Yield the symbols of the package that a statement names."""
+        nodes = list(ast.walk(statement))
+        known = dict(self._imported)
+        for node in nodes:
+            if isinstance(node, ast.Import | ast.ImportFrom):
+                inside = self._names_of(node)
+                known |= inside
+                yield from ((self._module_of(symbol), _AT_IMPORT) for symbol in inside.values())
+        ignored = {id(node) for part in nodes for hint in _hints(part) for node in ast.walk(hint)}
+        attribute = {
+            id(node.value): node.attr
+            for node in nodes
+            if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)
+        }
+        for node in nodes:
+            if isinstance(node, ast.Name) and id(node) not in ignored:
+                module, name = known.get(node.id, (self.module, node.id))
+                inner = f"{module}.{name}"
+                if node.id in known and _file(inner, self._package):
+                    module, name = inner, attribute.get(id(node), _WHOLE)
+                yield module, name
+
+    def _names_of(self, statement: ast.Import | ast.ImportFrom) -> dict[str, Symbol]:
+        if isinstance(statement, ast.Import) or not (statement.module or "").startswith(self._package.name):
+            return {}
+        module = (statement.module or "").removeprefix(self._package.name).removeprefix(".")
+        return {alias.asname or alias.name: (module, alias.name) for alias in statement.names}
+
+    def _module_of(self, symbol: Symbol) -> str:
+        inner = ".".join(filter(None, symbol))
+        return inner if _file(inner, self._package) else symbol[0]
 
 
-@lru_cache(None)
-def _modules(root: Path) -> dict[str, Path]:
-    """Return the files of all modules and packages below `root`, by dotted name."""
-    # a package comes after a module of its name and, as in the language, wins
-    files = [(file.relative_to(root).with_suffix("").parts, file) for file in sorted(root.rglob("*.py"), reverse=True)]
-    return {".".join(parts).removesuffix(".__init__"): file for parts, file in files}
+@cache
+def _code(statement: ast.stmt) -> str:
+    for node in ast.walk(statement):
+        if isinstance(node, ast.ClassDef | ast.FunctionDef) and ast.get_docstring(node, clean=False) is not None:
+            node.body = node.body[1:] or [ast.Pass()]
+    return ast.unparse(statement)
+
+
+def _bound(statement: ast.stmt) -> list[str]:
+    """Return the names that a definition or an assignment binds; none for a statement of another kind."""
+    if isinstance(statement, ast.FunctionDef | ast.ClassDef):
+        return [statement.name]
+    if isinstance(statement, ast.Assign | ast.AnnAssign):
+        targets = statement.targets if isinstance(statement, ast.Assign) else [statement.target]
+        parts = [part for target in targets for part in (target.elts if isinstance(target, ast.Tuple) else [target])]
+        if all(isinstance(part, ast.Name) for part in parts):
+            return [part.id for part in parts if isinstance(part, ast.Name)]
+    return []
+
+
+def _hints(node: ast.AST) -> list[ast.expr]:
+    """Return the type hints of a function, which do nothing when it runs."""
+    if isinstance(node, ast.arg):
+        hints = [node.annotation]
+    elif isinstance(node, ast.FunctionDef):
+        hints = [node.returns]
+    else:
+        hints = []
+    return [hint for hint in hints if hint is not None]
+
+
+def _for_type_checkers(statement: ast.stmt) -> bool:
+    return isinstance(statement, ast.If) and ast.unparse(statement.test) in ("TYPE_CHECKING", "typing.TYPE_CHECKING")
+
+
+def _is_docstring(statement: ast.stmt) -> bool:
+    return isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)

@@ -1,40 +1,82 @@
-"""How a stage job behaves: its log, its failures, its end."""
+"""How a job of the workflow runs: it loads its inputs, calls the function of its stage and writes what that returns."""
 
 from __future__ import annotations
 
-import gc
 import logging
+import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
-from typing import TextIO
+from inspect import signature
+from pathlib import Path
+from typing import Any, TextIO
 
 from gearwear.errors import BadFile, GearwearError
-from gearwear.run import inputs
-from gearwear.run.digest import digest
+from gearwear.run import stages, token
+from gearwear.run.digest import digest, source_key
 from gearwear.run.orphans import end_with_workflow
-from gearwear.run.token import check_run
 
 log = logging.getLogger("gearwear")
+SOURCES = "GEARWEAR_SOURCES"  # environment variable: the sources that the run was planned with
 
 
-@contextmanager
-def logged(job, script: str) -> Iterator[None]:
-    """Run the body of a stage job with its output in the job's log file.
-
-    A GearwearError is one sentence in the log; any other exception keeps its traceback.
-
-    The job stops with its parent, so that no orphan goes on writing after Snakemake was killed, and
-    refuses to start if its source changed after Snakemake read it, so that no result is mislabelled, if another
-    run has followed the one that ordered it, or if its input files do not belong together.
+def run(job: Any) -> None:
+    """Run the job of a stage.
 
     Parameters
     ----------
-    job : the `snakemake` object of the script.
-    script : path of the script.
+    job : the `snakemake` object of the script; the rule, or `params.stage`, is the name of the stage.
+    """
+    stage = job.params.get("stage", job.rule)
+    with logged(job, {stages.target_of(stage): job.params.code}):
+        inputs = load(job, stages.VARIABLES.get(stage, {}))
+        available = {**dict(job.wildcards.items()), "cfg": job.params.cfg, **inputs}
+        function = stages.function_of(stage)
+        made = function(**{name: available[name] for name in signature(function).parameters})
+        write(made, job.output, origin(stage, job.params.cfg, job.params.code, inputs))
+
+
+def run_block(job: Any) -> None:
+    """Run several wear cycles in one job, by the stages of the cycle.
+
+    Parameters
+    ----------
+    job : `params.cfg` and `params.code` hold those of every stage by its name, every output the files of all cycles.
+    """
+    from gearwear.chain.history import CYCLE, results_of
+    from gearwear.io.store import load as read
+
+    codes = {stages.target_of(stage.__name__): job.params.code[stage.__name__] for stage in CYCLE}
+    with logged(job, codes):
+        available = load(job, {})
+        for place in range(len(job.output.wear)):
+            for stage, names in CYCLE.items():
+                cfg, code = job.params.cfg[stage.__name__], job.params.code[stage.__name__]
+                used = {name: available[name] for name in signature(stage).parameters if name != "cfg"}
+                made = results_of(stage, {"cfg": cfg, **used})
+                files = {name: job.output[name][place] for name in names}
+                write(made, files, origin(stage.__name__, cfg, code, used))
+                available |= {name: read(file) for name, file in files.items()}
+
+
+@contextmanager
+def logged(job: Any, codes: Mapping[str, str]) -> Iterator[None]:
+    """Run the body of a job with its output in the log file of the job.
+
+    A GearwearError is one sentence in the log; any other exception keeps its traceback. The job ends with its parent,
+    so that no orphan goes on writing after Snakemake was killed. It refuses to start if the sources changed after
+    Snakemake read them, or if another run has followed the one that ordered it.
+
+    Parameters
+    ----------
+    codes : digests with which the job was planned, by target.
+
+    Raises
+    ------
+    SystemExit : after a GearwearError.
     """
     end_with_workflow()
-    with _opened(job.log[0]) as stream, _hidden("pint"):  # xarray asks of every array whether it is of its kind
+    with _opened(job.log[0]) as stream:
         keep = sys.stdout, sys.stderr
         sys.stdout = sys.stderr = stream
         handler = _Handler(stream)
@@ -42,11 +84,10 @@ def logged(job, script: str) -> Iterator[None]:
         log.addHandler(handler)
         log.setLevel(logging.INFO)
         try:
-            log.info("%s: %s", job.rule, ", ".join(job.output))
-            if job.params.code != digest(script):
+            log.info("%s: %s", job.rule, ", ".join(map(str, job.output)))
+            if os.environ.get(SOURCES) != source_key() and any(digest(one) != code for one, code in codes.items()):
                 raise BadFile("the source code changed while the workflow was running: start it again")
-            check_run()
-            inputs.check(job)
+            token.check_run()
             yield
         except GearwearError as error:
             log.error("failed: %s", error)
@@ -57,26 +98,79 @@ def logged(job, script: str) -> Iterator[None]:
         finally:
             log.removeHandler(handler)
             sys.stdout, sys.stderr = keep
-            gc.freeze()  # the process ends here: what is left needs no search for garbage
 
 
-def announce(sentence: str) -> None:
-    """Say `sentence` in the log and on the screen."""
+def report(sentence: str) -> None:
+    """Write a sentence into the log and onto the screen."""
     log.info("%s", sentence)
     print(sentence, file=sys.__stdout__, flush=True)
 
 
-@contextmanager
-def _hidden(module: str) -> Iterator[None]:
-    """Let imports of `module`, if there were none, find nothing: the library that asks for it can do without."""
-    hide = module not in sys.modules
-    if hide:
-        sys.modules[module] = None  # type: ignore[assignment]  # what makes an import fail
-    try:
-        yield
-    finally:
-        if hide:
-            del sys.modules[module]
+def load(job: Any, variables: Mapping[str, tuple[str, ...]]) -> dict[str, Any]:
+    """Return the inputs of a job by name: datasets of netCDF files, paths of others; lists where there are several.
+
+    Parameters
+    ----------
+    variables : to read of an input; of those that are not named here, all.
+
+    Raises
+    ------
+    BadFile : a file cannot be read, or does not belong to the configuration of the run or to the other files.
+    """
+    from gearwear.io import store
+    from gearwear.run import inputs
+
+    def read(name: str, path: str) -> Any:
+        return store.load(path, variables.get(name)) if path.endswith(".nc") else Path(path)
+
+    found = {
+        name: read(name, str(paths)) if isinstance(paths, str | Path) else [read(name, str(path)) for path in paths]
+        for name, paths in job.input.items()
+    }
+    inputs.check(job.input, found, job.config)
+    return found
+
+
+def origin(stage: str, cfg: Any, code: str, inputs: Mapping[str, Any]) -> Any:
+    """Return what makes the results of a stage from these inputs."""
+    from gearwear.io import store
+
+    return store.Origin(stage, cfg, code, store.lineages(inputs))
+
+
+def write(made: Any, output: Any, origin: Any) -> None:
+    """Write what a stage returned: datasets as netCDF, tables as CSV, text as it is.
+
+    Parameters
+    ----------
+    made : a dataset, table or text, or several by the names of the outputs.
+    output : files by name; of one without a name, the only one.
+    """
+    from gearwear.io import store
+    from gearwear.io.atomic import atomic
+    from gearwear.io.tables import Table, write_csv
+
+    for name, one in made.items() if type(made) is dict else [(0, made)]:
+        path = output[name]
+        if isinstance(one, Table):
+            write_csv(path, one.columns, one.rows)
+        elif isinstance(one, str):
+            with atomic(path) as temporary:
+                Path(temporary).write_text(one, encoding="utf-8")
+        else:
+            log.info("%s", _ranges(one))
+            store.save(one, path, origin)
+
+
+def _ranges(dataset: Any) -> str:
+    """Return the least and the greatest value of every variable of numbers."""
+    import numpy as np
+
+    found = []
+    for name, values in dataset.data_vars.items():
+        if values.dtype.kind == "f" and np.isfinite(values.values).any():
+            found.append(f"{name} {np.nanmin(values.values):.6g} to {np.nanmax(values.values):.6g}")
+    return "; ".join(found)
 
 
 class _Handler(logging.StreamHandler):

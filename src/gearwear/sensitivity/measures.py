@@ -8,7 +8,7 @@ import numpy as np
 import xarray as xr
 
 from gearwear.chain.geometry import geometry
-from gearwear.chain.states import last_state
+from gearwear.chain.history import last_state
 from gearwear.errors import Infeasible
 from gearwear.geometry.involute import GEARS
 from gearwear.onsets import route_to_chaos

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from gearwear.chain.record import state_at
+from gearwear.chain.history import state_at
 from gearwear.codes.motion_class import NOT_CONVERGED
 from gearwear.codes.onset_codes import ORDERS
 from gearwear.errors import Infeasible

@@ -10,7 +10,7 @@ import pytest
 import xarray as xr
 
 from gearwear.io import store
-from gearwear.io.variables import FIELDS, field_of
+from gearwear.io.variables import variable_of, variables
 
 
 class Inputs(SimpleNamespace):
@@ -48,15 +48,15 @@ def test_what_is_saved_is_loaded(saved):
 def test_every_variable_carries_its_unit_and_name(saved):
     with netCDF4.Dataset(saved) as file:
         for name, variable in file.variables.items():
-            assert variable.long_name == FIELDS[name].long_name
-            assert getattr(variable, "units", "") == FIELDS[name].units
+            assert variable.long_name == variables()[name].long_name
+            assert getattr(variable, "units", "") == variables()[name].units
         assert file["wear_depth"].units == "m"
         assert file["running_cycles"].units == "1"
         assert "_FillValue" not in file["wear_depth"].ncattrs()
 
 
 def test_every_field_has_a_unit_unless_it_is_a_label_or_an_index():
-    without = {name for name, field in FIELDS.items() if not field.units}
+    without = {name for name, field in variables().items() if not field.units}
     integers_and_words = {
         "gear",
         "pair",
@@ -78,7 +78,7 @@ def test_every_field_has_a_unit_unless_it_is_a_label_or_an_index():
     integers_and_words |= {"order", "member_name", "running_class", "bearing_direction"}
     integers_and_words |= {"claim", "sweep", "claim_subject", "candidate_remark"}
     assert without == integers_and_words
-    assert all(field.long_name and field.dims for field in FIELDS.values())
+    assert all(field.long_name and field.dims for field in variables().values())
 
 
 def test_flags_are_written_with_their_meanings(tmp_path):
@@ -140,8 +140,8 @@ def test_other_dimensions_than_those_of_the_entry_are_refused(tmp_path):
 
 
 def test_a_swept_quantity_shares_its_name_with_that_of_the_mesh():
-    assert field_of("backlash", ("point",)).units == "1"
-    assert field_of("backlash", ("mesh_phase",)).units == "m"
+    assert variable_of("backlash", ("point",)).units == "1"
+    assert variable_of("backlash", ("mesh_phase",)).units == "m"
 
 
 def test_a_write_that_fails_leaves_nothing(tmp_path, monkeypatch):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from gearwear.io.variables import field_of
+from gearwear.io.variables import variable_of
 from gearwear.motions.basin_variables import basin_columns
 from gearwear.motions.basins import UNDECIDED, Basins
 from gearwear.motions.settling import Settling, settle
@@ -28,7 +28,7 @@ def table():
 def test_every_variable_has_its_entry_in_the_table_of_fields(table):
     for name, (dims, values) in table.items():
         dims = dims if isinstance(dims, tuple) else (dims,)
-        field = field_of(name, dims)
+        field = variable_of(name, dims)
         assert values.ndim == len(dims)
         assert field.may_be_missing or np.isfinite(values).all()
 

@@ -1,7 +1,7 @@
 import numpy as np
 
 from gearwear.integrate.strobe import strobe
-from gearwear.io.variables import field_of
+from gearwear.io.variables import variable_of
 from gearwear.motions.motion_variables import columns, end_of
 from gearwear.motions.settling import Attractor, Settling, settle
 from gearwear.oscillator.oscillator import Oscillator
@@ -18,7 +18,7 @@ def motion() -> tuple[Oscillator, Attractor]:
 def test_every_column_has_its_entry_in_the_table_of_fields():
     table = columns([motion()[1]] * 3, 64, 0.2)
     for name, (dims, values) in table.items():
-        assert field_of(name, dims if isinstance(dims, tuple) else (dims,))
+        assert variable_of(name, dims if isinstance(dims, tuple) else (dims,))
         assert len(values) == 3
 
 
