@@ -1,6 +1,6 @@
 """The oscillator with backlash by heyoka (Taylor series, corners as terminal events): an independent second opinion.
 
-`python benchmarks/heyoka_oracle.py` writes the reference of tests/unit/dynamics/test_affine_reference.py anew, in
+`python benchmarks/heyoka_oracle.py` writes the reference of tests/unit/integrate/test_affine_flow.py anew, in
 80-bit arithmetic. It needs heyoka (`.venv/bin/pip install heyoka`), which the project itself does not.
 """
 
@@ -9,7 +9,7 @@ from pathlib import Path
 import heyoka as hy
 import numpy as np
 
-REFERENCE = Path(__file__).parents[1] / "tests" / "unit" / "dynamics" / "affine_reference.npz"
+REFERENCE = Path(__file__).parents[1] / "tests" / "unit" / "integrate" / "affine_reference.npz"
 PARAMETERS = ("frequency", "damping_ratio", "mean_force", "stiffness", "error", "phase", "clearance")
 PERIODS = 10
 

@@ -10,7 +10,7 @@ import pytest
 from gearwear.motions.basins import basins, cell_centres
 from gearwear.motions.hysteresis import differing
 from gearwear.motions.settling import Settling, settle
-from gearwear.motions.sweep import carried
+from gearwear.motions.sweep import DOWN, UP, settle_by_continuation
 from gearwear.oscillator.oscillator import Oscillator
 from gearwear.oscillator.periodic import Harmonics
 
@@ -36,10 +36,11 @@ def test_slow_period_one_near_minus_one_is_not_called_period_two():
 def test_sweeps_up_and_down_differ_between_the_folds():
     """The primary resonance of the large fluctuation at half the frequency: folds at 0.577217 and 0.620486."""
     frequencies = np.linspace(0.5622, 0.6322, 15)
-    both = []
-    for order in (frequencies, frequencies[::-1]):
-        both.append(carried(map(large_fluctuation, order), lambda _: (0.0, 0.0), SETTLING))
-    both[1].reverse()
+    oscillators = [large_fluctuation(frequency) for frequency in frequencies]
+    both = [
+        settle_by_continuation(oscillators, lambda _: (0.0, 0.0), SETTLING, direction=direction)
+        for direction in (UP, DOWN)
+    ]
     sections = [[np.stack([one.displacement, one.velocity], axis=-1) for one in motions] for motions in both]
     found = differing([[one.motion_class for one in motions] for motions in both], np.array(sections))
     np.testing.assert_array_equal(found, (frequencies > 0.577217) & (frequencies < 0.620486))
@@ -55,7 +56,7 @@ def test_between_the_folds_sweeps_and_basins_show_the_same_two_motions(frequency
     ends = []
     for begin in (0.55, 0.65):
         way = map(large_fluctuation, np.linspace(begin, frequency, 12))
-        ends.append(carried(way, lambda _: (0.0, 0.0), SETTLING)[-1])
+        ends.append(settle_by_continuation(way, lambda _: (0.0, 0.0), SETTLING)[-1])
     from_basins = sorted((motion.displacement[-1], motion.velocity[-1]) for motion in found.attractors)
     from_sweeps = sorted((motion.displacement[-1], motion.velocity[-1]) for motion in ends)
     np.testing.assert_allclose(np.resize(from_basins, (2, 2)), from_sweeps, atol=1e-6)

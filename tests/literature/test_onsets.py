@@ -9,10 +9,8 @@ import pytest
 import xarray as xr
 
 from gearwear.codes.onset_codes import GENERAL, GENERAL_HALVED, MET, ORDERS, OTHER_START, PASSED_BY, VARIANTS
-from gearwear.motions.motion_variables import columns
-from gearwear.motions.settling import Settling, settle_many
-from gearwear.motions.start import rest_state
-from gearwear.motions.sweep import carried
+from gearwear.motions.settling import Settling
+from gearwear.motions.sweep import sweep
 from gearwear.onsets import route
 from gearwear.orbits.branch_variables import columns as branch_columns
 from gearwear.orbits.branches import Seed, explore
@@ -53,20 +51,7 @@ def state():
 @pytest.fixture(scope="module")
 def sweeps(state):
     values = np.arange(0.98, 1.33, STEP)
-    oscillators = [state.source.oscillator(DYNAMICS, value) for value in values]
-
-    def rest(oscillator):
-        return rest_state(state.source, oscillator, DYNAMICS)
-
-    motions = {
-        "restart": settle_many(oscillators, np.array([rest(one) for one in oscillators]), SETTLING),
-        "up": carried(oscillators, rest, SETTLING),
-        "down": carried(oscillators[::-1], rest, SETTLING)[::-1],
-    }
-    return {
-        order: xr.Dataset(columns(own, SETTLING.sampled_periods, 0.1), {"mesh_frequency": ("point", values)})
-        for order, own in motions.items()
-    }
+    return {order: sweep(state.swept, values, SETTLING, order) for order in ORDERS}
 
 
 @pytest.fixture(scope="module")
@@ -122,11 +107,12 @@ def test_another_integrator_moves_the_doublings_by_its_tolerance_only(ways):
 def test_other_start_is_the_other_one(state, sweeps, monkeypatch):
     starts = []
 
-    def record(source, dynamics, settling, values, tolerance=None, backend="automatic"):
-        starts.append((dynamics["start"]["at"], settling.sampled_periods, len(values), tolerance, backend))
+    def record(state, values, tolerance=None, backend="automatic"):
+        at, sampled = state.dynamics["start"]["at"], state.settling.sampled_periods
+        starts.append((at, sampled, len(values), tolerance, backend))
         return np.ones(len(values), dtype=int)
 
-    monkeypatch.setattr(route, "from_rest", record)
+    monkeypatch.setattr(route, "classes_from_rest", record)
     events = route.along(state, sweeps["up"], "up", 1)
     found = route.varied(state, sweeps["restart"], events, 1)
     points = sweeps["restart"].sizes["point"]

@@ -15,9 +15,10 @@ from gearwear.codes import motion_class
 from gearwear.integrate.strobe import GROWTH, STATES
 from gearwear.integrate.strobe_many import strobe_many
 from gearwear.motions.section import recurrences, shrinking_periods
-from gearwear.motions.settling import Settling, settle_many
+from gearwear.motions.settling import Settling
 from gearwear.motions.start import rest_state
-from gearwear.oscillator.excitation import Excitation, excitation, swept_oscillator
+from gearwear.motions.sweep import settle_from_rest
+from gearwear.oscillator.excitation import Excitation, SweptOscillator, excitation
 
 SWEPT = (("without", "mesh_frequency"), ("with", "mesh_frequency"), ("with", "ste"), ("with", "backlash"))
 TRANSIENT, SAMPLED = 250, 72  # mesh periods of the quick look
@@ -78,12 +79,11 @@ def quick_sweeps(config: dict[str, Any], several: Sequence[Pair], values: Values
     """
     oscillators, starts = [], []
     for one in several:
-        for (case, sweep), chosen in values.items():
-            for value in chosen:
-                source = one.sources[case]
-                own = swept_oscillator(source, sweep, float(value), one.dynamics, config["sweeps"][sweep])
-                oscillators.append(own)
-                starts.append(rest_state(source, own, one.dynamics))
+        for (case, quantity), chosen in values.items():
+            swept = SweptOscillator(one.sources[case], quantity, one.dynamics, config["sweeps"][quantity])
+            own = [swept.at(value) for value in chosen]
+            oscillators += own
+            starts += [rest_state(swept.source, oscillator, one.dynamics) for oscillator in own]
     run = strobe_many(oscillators, np.array(starts), TRANSIENT + SAMPLED, detail=STATES, early_end=True)
     sections = run.states[:, -SAMPLED:]
     classes = _classes(sections)
@@ -104,14 +104,13 @@ def settled_sweeps(
 ) -> dict[tuple[str, str], Sweep]:
     """Return the sweeps of one candidate as the study computes them from rest, with all evidence for the classes."""
     dynamics, settling, found = config["dynamics"], Settling(**config["settling"]), {}
-    for (case, sweep), chosen in values.items():
-        source = sources[case]
-        own = [swept_oscillator(source, sweep, float(value), dynamics, config["sweeps"][sweep]) for value in chosen]
-        starts = np.array([rest_state(source, oscillator, dynamics) for oscillator in own])
-        motions = settle_many(own, starts, settling, dynamics["tolerance"], GROWTH)
+    for (case, quantity), chosen in values.items():
+        swept = SweptOscillator(sources[case], quantity, dynamics, config["sweeps"][quantity])
+        own = [swept.at(value) for value in chosen]
+        motions = settle_from_rest(swept.source, own, dynamics, settling, detail=GROWTH)
         sections = np.array([np.column_stack([motion.displacement, motion.velocity]) for motion in motions])
         extents = np.concatenate([sections.min(axis=1), sections.max(axis=1)], axis=1)[:, [0, 2, 1, 3]]
-        found[case, sweep] = Sweep(chosen, np.array([motion.motion_class for motion in motions]), extents)
+        found[case, quantity] = Sweep(chosen, np.array([motion.motion_class for motion in motions]), extents)
     return found
 
 

@@ -5,9 +5,42 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import xarray as xr
 
-from gearwear.motions.basins import UNDECIDED, Basins
+from gearwear.motions.basins import UNDECIDED, Basins, basins
 from gearwear.motions.motion_variables import columns
+from gearwear.motions.settling import Settling
+from gearwear.oscillator.excitation import SweptOscillator
+
+
+def basins_along(
+    swept: SweptOscillator, values: np.ndarray, displacement: np.ndarray, velocity: np.ndarray, settling: Settling
+) -> xr.Dataset:
+    """Return the basins of attraction at values of a swept quantity, on a grid of initial states.
+
+    Parameters
+    ----------
+    swept : oscillator by the swept quantity.
+    values : (points,) of the swept quantity.
+    displacement, velocity : (displacement_cell,) and (velocity_cell,), initial states at mesh phase 0.
+
+    Returns
+    -------
+    xarray.Dataset
+        The variables of basin_columns with the values and the initial states as coordinates.
+    """
+    states = np.stack(np.meshgrid(displacement, velocity, indexing="ij"), axis=-1).reshape(-1, 2)
+    found = [basins(swept.at(value), states, settling, swept.dynamics["tolerance"]) for value in values]
+    shape = len(displacement), len(velocity)
+    table = basin_columns(found, shape, settling.sampled_periods, swept.source.force_parameter)
+    return xr.Dataset(
+        table,
+        {
+            "initial_displacement": ("displacement_cell", displacement),
+            "initial_velocity": ("velocity_cell", velocity),
+            swept.quantity: ("point", np.asarray(values, dtype=float)),
+        },
+    )
 
 
 def basin_columns(found: list[Basins], shape: tuple[int, int], samples: int, force_parameter: float) -> dict:
@@ -20,7 +53,7 @@ def basin_columns(found: list[Basins], shape: tuple[int, int], samples: int, for
     ----------
     found : one a point.
     shape : number of cells in displacement and in velocity; a state varies in velocity first.
-    samples, force_parameter : as in record.columns.
+    samples, force_parameter : as in motion_variables.columns.
     """
     counts = [len(basins.attractors) for basins in found]
     places = (np.repeat(np.arange(len(found)), counts), np.concatenate([np.arange(count) for count in counts]))

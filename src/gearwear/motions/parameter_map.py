@@ -9,8 +9,8 @@ import numpy as np
 import xarray as xr
 
 from gearwear.motions.motion_variables import columns
-from gearwear.motions.settling import Attractor, Settling, settle_many
-from gearwear.motions.start import rest_state
+from gearwear.motions.settling import Attractor, Settling
+from gearwear.motions.sweep import settle_from_rest
 from gearwear.oscillator.excitation import Excitation
 from gearwear.oscillator.oscillator import Oscillator
 
@@ -31,7 +31,6 @@ KEPT = (
     "contact_loss_share",
     "force_max",
 )
-_AT_ONCE = 512  # motions, whose histories are in memory together
 
 
 def values(axis: dict[str, Any] | list[float]) -> np.ndarray:
@@ -60,12 +59,8 @@ def tile(
     dynamics, settling = cfg["dynamics"], Settling(**cfg["settling"])
     tables = [_kept([], settling, 1.0)]
     for source, row in oscillators:
-        for first in range(0, len(row), _AT_ONCE):
-            at = row[first : first + _AT_ONCE]
-            begins = [rest_state(source, oscillator, dynamics) for oscillator in at]
-            tables.append(
-                _kept(settle_many(at, begins, settling, dynamics["tolerance"]), settling, source.force_parameter)
-            )
+        motions = settle_from_rest(source, row, dynamics, settling)
+        tables.append(_kept(motions, settling, source.force_parameter))
     whole = {key: np.concatenate([table[key] for table in tables]) for key in KEPT}
     return xr.Dataset(
         {key: (("row", "column"), found.reshape(len(rows), len(frequencies))) for key, found in whole.items()},

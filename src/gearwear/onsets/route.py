@@ -8,14 +8,14 @@ import numpy as np
 import xarray as xr
 
 from gearwear.codes import onset_codes
-from gearwear.integrate.strobe import AUTOMATIC, GENERAL
+from gearwear.integrate.strobe import AUTOMATIC, GENERAL, GROWTH
 from gearwear.motions.settling import Settling
+from gearwear.motions.sweep import DOWN, RESTART, settle_by_continuation, settle_from_rest
 from gearwear.onsets.chaos import Classify, onset_of_chaos
 from gearwear.onsets.doublings import Doubling, Onset, doublings, onset_of_doubling
-from gearwear.onsets.motions import carried_on, from_rest
 from gearwear.orbits.locating import doubling_near
 from gearwear.orbits.return_map import COARSEST, return_maps
-from gearwear.oscillator.excitation import Excitation
+from gearwear.oscillator.excitation import Excitation, SweptOscillator
 
 SWEEP = "mesh_frequency"
 _MARGIN = 0.2  # mesh frequency over natural frequency, beyond the events of a sweep: how far others are looked for
@@ -29,13 +29,51 @@ class State(NamedTuple):
     settling: Settling
     branches: xr.Dataset
 
+    @property
+    def swept(self) -> SweptOscillator:
+        """The oscillator by the mesh frequency."""
+        return SweptOscillator(self.source, SWEEP, self.dynamics)
+
+
+def classes_from_rest(
+    state: State, values: np.ndarray, tolerance: float | None = None, backend: str = AUTOMATIC
+) -> np.ndarray:
+    """Return the motion classes at mesh frequencies, every motion from rest.
+
+    Parameters
+    ----------
+    values : (points,) mesh frequencies over the natural one.
+    tolerance : of the integrator; that of `dynamics` if None.
+    backend : as in strobe.strobe.
+    """
+    oscillators = [state.swept.at(value) for value in values]
+    motions = settle_from_rest(
+        state.source,
+        oscillators,
+        state.dynamics,
+        state.settling,
+        tolerance=tolerance,
+        detail=GROWTH,
+        backend=backend,
+    )
+    return np.array([motion.motion_class for motion in motions], dtype=int)
+
+
+def classes_by_continuation(state: State, values: np.ndarray, begin: tuple[float, float], direction: str) -> np.ndarray:
+    """Return the same with continuation; the first motion in the direction, up or down, starts from `begin`."""
+    oscillators = [state.swept.at(value) for value in values]
+    motions = settle_by_continuation(
+        oscillators, lambda _: begin, state.settling, state.dynamics["tolerance"], direction
+    )
+    return np.array([motion.motion_class for motion in motions], dtype=int)
+
 
 def along(state: State, sweep: xr.Dataset, order: str, refinement: int) -> list[Onset]:
     """Return the events of onset_codes.EVENTS along a sweep.
 
     Parameters
     ----------
-    sweep : as attractors.record writes it, of this state.
+    sweep : as sweep.sweep returns it, of this state.
     order : of the sweep, one of onset_codes.ORDERS.
     refinement : finer steps in the step of the sweep in which chaos begins.
     """
@@ -43,10 +81,10 @@ def along(state: State, sweep: xr.Dataset, order: str, refinement: int) -> list[
     ends = np.stack([sweep[f"section_{name}"].values[:, -1] for name in ("displacement", "velocity")], axis=1)
 
     def classify(values, below, above):
-        if order == "restart":
-            return from_rest(state.source, state.dynamics, state.settling, values)
-        begin = tuple(ends[above if order == "down" else below].tolist())
-        return carried_on(state.source, state.dynamics, state.settling, values, begin, order)
+        if order == RESTART:
+            return classes_from_rest(state, values)
+        begin = tuple(ends[above if order == DOWN else below].tolist())
+        return classes_by_continuation(state, values, begin, order)
 
     return _events(state, sweep[SWEEP].values, sweep["motion_class"].values, classify, refinement)
 
@@ -89,12 +127,12 @@ def _swept(
     state: State, values: np.ndarray, refinement: int, tolerance: float | None = None, backend: str = AUTOMATIC
 ) -> list[Onset]:
     def classify(chosen, below=0, above=0):
-        return from_rest(state.source, state.dynamics, state.settling, chosen, tolerance, backend)
+        return classes_from_rest(state, chosen, tolerance, backend)
 
     events = _events(state, values, classify(values), classify, refinement)
     if tolerance is None:
         return events
-    maps = return_maps(lambda value: state.source.oscillator(state.dynamics, value), tolerance, backend)
+    maps = return_maps(state.swept.at, tolerance, backend)
     known = {one.value: one for period in onset_codes.DOUBLED for one in doublings(state.branches, SWEEP, period)}
     return [_relocated(event, known.get(event.seen), maps) for event in events]
 

@@ -1,12 +1,17 @@
-"""Seeds of branches among the settled motions of a sweep."""
+"""Seeds of branches among the settled motions of sweeps, and the branches that they lead to."""
 
 from __future__ import annotations
+
+from collections.abc import Iterable
 
 import numpy as np
 import xarray as xr
 
 from gearwear.codes.motion_class import LARGEST_PERIOD
-from gearwear.orbits.branches import Seed
+from gearwear.orbits.branches import Branch, Seed, explore
+from gearwear.orbits.continuation import Limits
+from gearwear.orbits.return_map import COARSEST, return_maps
+from gearwear.oscillator.excitation import SweptOscillator
 
 
 def seeds(values, motion_class, transient_periods, displacement, velocity, largest_period: int) -> list[Seed]:
@@ -38,3 +43,25 @@ def seeds_along(sweep: xr.Dataset, swept: str, largest_period: int) -> list[Seed
     names = "motion_class", "transient_periods", "section_displacement", "section_velocity"
     motion_class, transient_periods, displacement, velocity = (sweep[name].values for name in names)
     return seeds(sweep[swept].values, motion_class, transient_periods, displacement, velocity, largest_period)
+
+
+def branches_of_sweeps(
+    swept: SweptOscillator, sweeps: Iterable[xr.Dataset], limits: Limits, largest_period: int
+) -> list[Branch]:
+    """Return the branches that the periodic motions of sweeps lie on, with those that their doublings give rise to.
+
+    Parameters
+    ----------
+    swept : oscillator by the swept quantity.
+    sweeps : over that quantity, as sweep.sweep returns them.
+    limits : how far and how finely branches are followed.
+    largest_period : longest period of an orbit, in mesh periods.
+    """
+    found = [
+        seed
+        for along in sweeps
+        for seed in seeds_along(along, swept.quantity, largest_period)
+        if swept.at(seed.value).torque.repeats_after(seed.period)
+    ]
+    maps = return_maps(swept.at, min(swept.dynamics["tolerance"], COARSEST))
+    return explore(maps, found, limits, largest_period)

@@ -178,6 +178,27 @@ def swept_oscillator(source: Excitation, sweep: str, value: float, settings: dic
     return source.oscillator(settings, frequency).with_clearance_scaled(value / source.clearance.mean)
 
 
+class SweptOscillator(NamedTuple):
+    """The oscillator of one state as a function of a swept quantity.
+
+    Attributes
+    ----------
+    source : excitation of the state.
+    quantity : `mesh_frequency`, `ste` or `backlash`, as in swept_oscillator.
+    dynamics : the section of that name.
+    settings : the section of the sweep; a sweep over the mesh frequency needs none.
+    """
+
+    source: Excitation
+    quantity: str
+    dynamics: dict
+    settings: dict = {}  # noqa: RUF012 (never written to)
+
+    def at(self, value: float) -> Oscillator:
+        """Return the oscillator at a value of the swept quantity."""
+        return swept_oscillator(self.source, self.quantity, float(value), self.dynamics, self.settings)
+
+
 def _amplitudes(meaning, error, reference, stiffness_name, force, ratio, phase, width) -> tuple[float, float]:
     """Return the error amplitude (m) of the state and that of the reference case.
 

@@ -23,7 +23,7 @@ print(hashlib.sha256(b"".join(part.tobytes() for part in motion[:8])).hexdigest(
 
 TINY = """
 import numpy as np
-from gearwear.dynamics import tangent
+from gearwear.integrate import tangent
 assert tangent.growth_of(np.zeros(2), 3.0, 4.0) > 1.6
 print(tangent.__file__)
 """
@@ -78,7 +78,7 @@ def test_a_copy_of_the_program_finds_the_machine_code_and_another_program_does_n
     for name in ("first", "copy", "changed"):
         copy = shutil.copytree(package, tmp_path / name / "gearwear", ignore=shutil.ignore_patterns("__pycache__"))
         if name == "changed":
-            with open(copy / "dynamics" / "tangent.py", "a") as file:
+            with open(copy / "integrate" / "tangent.py", "a") as file:
                 file.write("\n")
         environment = dict(os.environ) | {"GEARWEAR_CACHE": str(tmp_path / "cache"), "PYTHONPATH": str(copy.parent)}
         found = subprocess.run(

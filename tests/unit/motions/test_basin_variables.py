@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from gearwear.io.variables import variable_of
-from gearwear.motions.basin_variables import basin_columns
+from gearwear.motions.basin_variables import basin_columns, basins_along
 from gearwear.motions.basins import UNDECIDED, Basins
 from gearwear.motions.settling import Settling, settle
+from gearwear.oscillator.excitation import Excitation, SweptOscillator
 from gearwear.oscillator.oscillator import Oscillator
 from gearwear.oscillator.periodic import Harmonics
 
@@ -51,3 +52,21 @@ def test_attractors_are_padded(table):
 def test_the_map_has_displacement_before_velocity(table):
     assert table["basin"][0] == ("point", "displacement_cell", "velocity_cell")
     assert table["basin"][1][1].tolist() == [[0, 1, 1], [1, 1, 0]]
+
+
+def test_basins_of_a_linear_motion_are_one_for_all_states_and_values():
+    """Small oscillations in contact, whose force is far from zero: every state near rest leads to them."""
+    dynamics = {
+        "damping_ratio": 0.05,
+        "tolerance": 1e-10,
+        "torque_fluctuation": {"frequency_ratio": 1.0, "amplitudes": [], "phases": []},
+    }
+    waves = Harmonics(0.0, (1.0,), (0.0,))
+    source = Excitation(1.0, 1.0, 1.0, 0.1, 0.1, Harmonics(1.0), waves, 0.02, 0.02, 1.0, Harmonics(1.0), 0.5)
+    swept = SweptOscillator(source, "mesh_frequency", dynamics)
+    found = basins_along(swept, np.array([0.3, 0.4]), np.array([1.0, 1.1, 1.2]), np.array([0.0, 0.01]), SETTLING)
+    assert found["basin"].dims == ("point", "displacement_cell", "velocity_cell")
+    assert found["basin"].shape == (2, 3, 2) and (found["basin"] == 0).all()
+    assert found["share"].values.tolist() == [[1.0], [1.0]]
+    assert found["initial_velocity"].values.tolist() == [0.0, 0.01]
+    assert found["mesh_frequency"].values.tolist() == [0.3, 0.4]

@@ -44,7 +44,7 @@ def test_a_row_too_long_for_the_memory_is_made_piece_by_piece(monkeypatch):
         return parameter_map.tile("ste", rows, frequencies, [(source, row), (source, row[::-1])], CFG)
 
     whole = made()
-    monkeypatch.setattr(parameter_map, "_AT_ONCE", 2)
+    monkeypatch.setattr("gearwear.motions.sweep._AT_ONCE", 2)
     xr.testing.assert_identical(made(), whole)
     assert whole["motion_class"].shape == (2, 5) and whole["motion_class"].dtype == np.int32
     np.testing.assert_array_equal(whole["force_max"][0], whole["force_max"][1, ::-1])

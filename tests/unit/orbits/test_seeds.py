@@ -1,8 +1,13 @@
-"""Seeds among the points of a sweep."""
+"""Seeds among the points of a sweep, and the branches that they lead to."""
 
 import numpy as np
 
-from gearwear.orbits.seeds import seeds
+from gearwear.motions.settling import Settling
+from gearwear.motions.sweep import sweep
+from gearwear.orbits.continuation import Limits
+from gearwear.orbits.seeds import branches_of_sweeps, seeds
+from gearwear.oscillator.excitation import Excitation, SweptOscillator
+from gearwear.oscillator.periodic import Harmonics
 
 
 def test_every_periodic_point_gives_a_seed_up_to_the_longest_period():
@@ -26,3 +31,24 @@ def test_the_state_is_a_whole_number_of_periods_after_the_start():
 def test_motions_that_do_not_repeat_give_none():
     nothing = np.full((3, 10), np.nan)
     assert seeds([0.1, 0.2, 0.3], [0, 100, 101], [400] * 3, nothing, nothing, 64) == []
+
+
+def test_the_branch_of_a_sweep_runs_through_its_motions():
+    """Linear motion in contact: one orbit at every mesh frequency, its displacement at phase 0 in closed form."""
+    dynamics = {
+        "damping_ratio": 0.05,
+        "tolerance": 1e-10,
+        "torque_fluctuation": {"frequency_ratio": 1.0, "amplitudes": [], "phases": []},
+        "start": {"at": "pair_entry", "displacement": 1.1, "velocity": 0.0},
+    }
+    waves, settling = Harmonics(0.0, (1.0,), (0.0,)), Settling(200, 800, 64, 8, 1e-7, 3e-3)
+    source = Excitation(1.0, 1.0, 1.0, 0.1, 0.1, Harmonics(1.0), waves, 0.05, 0.05, 1.0, Harmonics(1.0), 0.5)
+    swept = SweptOscillator(source, "mesh_frequency", dynamics)
+    sweeps = [sweep(swept, np.array([0.4, 0.5, 0.6]), settling, direction) for direction in ("restart", "down")]
+    branches = branches_of_sweeps(swept, sweeps, Limits(0.35, 0.65, 0.05), 1)
+    assert [branch.period for branch in branches] == [1]
+    values = np.array([node.orbit.value for node in branches[0].nodes])
+    states = np.array([node.orbit.section[0, 0] for node in branches[0].nodes])
+    assert (values[0], values[-1]) == (0.35, 0.65)
+    response = 0.05 * values**2 / (1 - values**2 + 2j * 0.05 * values)
+    np.testing.assert_allclose(states, 1.1 + response.real, atol=1e-9)
