@@ -1,5 +1,6 @@
 """Nonlinear dynamics of a spur gear pair with tooth contact temperature and dynamic wear."""
 
+import gc
 import sys
 from pathlib import Path
 
@@ -7,45 +8,37 @@ from snakemake.utils import min_version
 
 min_version("9.0")
 
-# Snakemake looks whether a parameter is a table, and imports pandas to ask: a tenth of the time of planning.
-sys.modules.setdefault("pandas", None)
-import gc
+# A plan is many small objects that live as long as the process: looking for garbage takes a sixth of its time.
 gc.set_threshold(100_000)
 
-from gearwear.run import outlines, help as targets
+from gearwear.run import help as targets
+
+HERE = Path(workflow.current_basedir.get_path_or_uri(secret_free=True))
 
 # Before anything is read or locked: help works beside a run and with a wrong configuration.
-if targets.asked(sys.argv[1:]):
-    print(targets.page(Path(workflow.basedir) / "Snakefile"))
+if workflow.is_main_process and targets.asked(sys.argv[1:]):
+    print(targets.page(HERE / "Snakefile"))
     sys.exit()
 
 
-configfile: Path(workflow.basedir) / "config" / "config.yaml"
-configfile: Path(workflow.basedir) / "config" / "studies" / "life.yaml"
+configfile: HERE / "config" / "config.yaml"
+configfile: HERE / "config" / "studies" / "life.yaml"
 
 
 report: "workflow/report/study.rst"
 
 
 include: "workflow/rules/common.smk"
-include: "workflow/rules/state.smk"
-include: "workflow/rules/blocks.smk"
-include: "workflow/rules/sweeps.smk"
+include: "workflow/rules/wear.smk"
+include: "workflow/rules/motion.smk"
+include: "workflow/rules/evaluation.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/extra_figures.smk"
 include: "workflow/rules/studies.smk"
-include: "workflow/rules/warnings.smk"
 include: "workflow/rules/maps.smk"
 include: "workflow/rules/onsets.smk"
-include: "workflow/rules/sensitivity.smk"
 include: "workflow/rules/validation.smk"
 include: "workflow/rules/calibration.smk"
-include: "workflow/rules/handover.smk"
-include: "workflow/rules/page.smk"
-
-
-if workflow.is_main_process:
-    outlines.remember()
 
 
 rule all:
@@ -54,6 +47,7 @@ rule all:
     default_target: True
     input:
         states(),
+        expand("results/{case}/flash_growth.nc", case=[] if config["oscillators"] else config["cases"]),
         figures(),
         portrait_figures(),
         extra_figures(),

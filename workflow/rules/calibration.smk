@@ -1,29 +1,32 @@
+"""Search for values of the parameters that the paper does not give."""
+
+
 def islands():
     """The searches of the calibration, by their numbers."""
     return range(1, config["calibration"]["islands"] + 1)
 
 
-rule search_parameters:
+rule search:
     input:
         claims=CLAIMS,
     output:
         "results/calibration/searches/{island}.nc",
     log:
-        "results/logs/search_parameters/{island}.log",
+        "results/logs/search/{island}.log",
     benchmark:
-        "results/benchmarks/search_parameters/{island}.tsv"
+        "results/benchmarks/search/{island}.tsv"
     wildcard_constraints:
         island=r"[1-9]\d?",
     params:
         cfg=cfg("calibration"),
-        code=code("search_parameters.py"),
+        code=code("search"),
     message:
         "Searching the open parameters, search {wildcards.island}."
     script:
-        "../scripts/search_parameters.py"
+        "../scripts/stage.py"
 
 
-rule compare_candidates:
+rule calibration:
     input:
         claims=CLAIMS,
         searches=expand("results/calibration/searches/{island}.nc", island=islands()),
@@ -42,16 +45,16 @@ rule compare_candidates:
             labels={"figure": "claims"},
         ),
     log:
-        "results/logs/compare_candidates.log",
+        "results/logs/calibration.log",
     benchmark:
-        "results/benchmarks/compare_candidates.tsv"
+        "results/benchmarks/calibration.tsv"
     params:
         cfg=cfg("calibration"),
-        code=code("compare_candidates.py"),
+        code=code("calibration"),
     message:
         "Computing the best candidates of the calibration in full."
     script:
-        "../scripts/compare_candidates.py"
+        "../scripts/stage.py"
 
 
 rule plot_calibration:

@@ -1,43 +1,55 @@
+import os
 from os.path import relpath
 
 from snakemake.exceptions import WorkflowError
 
 from gearwear.config import check as settings
-from gearwear.run import token as orders
-from gearwear.config.histories import chain_of, chains, updates_of
-from gearwear.heat.bulk import resolved
-from gearwear.run.digest import digest
-from gearwear.config.members import hindrance, members, temperature_root
-from gearwear.run.orphans import mark
-from gearwear.run.lock import NoLocks, RunningAlready, hold, only_looks
+from gearwear.config.histories import (
+    blocks,
+    histories,
+    history_of,
+    updates_of,
+)
+from gearwear.config.key_types import SWEEPS
+from gearwear.config.members import members, refusal, temperature_root
 from gearwear.config.slices import slice_of
+from gearwear.heat.bulk import resolved
+from gearwear.run import digest, lock, orphans, stage, stages, token
 
-# The wear chain is one path of five jobs a cycle; Snakemake walks it recursively.
-sys.setrecursionlimit(20000)
-mark()
+ROOT = Path(workflow.current_basedir.get_path_or_uri(secret_free=True)).parents[1]
+DIRECTIONS = ("restart", "up", "down")
+MEMBER = "studies/[a-z][a-z0-9_]*/[a-z][a-z0-9_]*/"
 
+orphans.mark()
 try:
     config = settings.check(config)
     MEMBERS = {root: resolved(one) for root, one in members(config).items()}
     config = MEMBERS[""]
-except settings.ConfigError as error:
-    raise WorkflowError(str(error))
-
-
-# Before any job is planned: a plan made while another run is at work would be out of date when it ends.
-# A job that an executor starts comes by here as well, perhaps on another machine.
-try:
-    PLAN = orders.plan_of(config, Path(workflow.basedir) / "workflow")
-    if not workflow.is_main_process:
-        orders.check_plan(PLAN)
+    # Before any job is planned: a plan made while another run is at work would be out of date when it ends.
+    # A job that an executor starts comes by here as well, perhaps on another machine.
+    PLAN = token.plan_of(config, ROOT / "workflow", digest.source_key())
+    if workflow.is_main_process:
+        token.give(PLAN, "" if lock.only_looks(sys.argv[1:]) else lock.hold())
     else:
-        orders.give(PLAN, "" if only_looks(sys.argv[1:]) else hold())
-except (RunningAlready, NoLocks, orders.Outdated) as error:
+        token.check_plan(PLAN)
+except (
+    settings.ConfigError,
+    lock.RunningAlready,
+    lock.NoLocks,
+    token.Outdated,
+) as error:
     raise WorkflowError(str(error))
+os.environ[stage.SOURCES] = digest.source_key()
+
+CODE = digest.digests(
+    map(stages.target_of, stages.MODULES), digest.memory(dict(os.environ))
+)
+# Sweeps from rest are cut into parts where --set-scatter asks for it, as for a cluster.
+PARTS = workflow.resource_settings.overwrite_scatter.get("sweep", 1)
 
 
 envvars:
-    orders.VARIABLE,
+    token.VARIABLE,
 
 
 def one_of(*sections):
@@ -51,32 +63,45 @@ def one_of(*sections):
     return "|".join(dict.fromkeys(names)) or "(?!)"
 
 
-MEMBER = "studies/[a-z][a-z0-9_]*/[a-z][a-z0-9_]*/"
-# The folders in which single links make the chain: where blocks make it, members, and what is unworn.
-LINKED = (
-    f"({MEMBER})?"
-    if config["jobs"]["wear_cycles"] == 1
-    else f"{MEMBER}|(?=[^/]+/[^/]+/q000)"
-)
-
-
 wildcard_constraints:
     study="[a-z][a-z0-9_]*",
     root=f"({MEMBER})?",
     case=one_of("cases", "oscillators"),
     q=r"\d{3}",
-    sweep="mesh_frequency|ste|backlash",
+    sweep="|".join(SWEEPS),
     map="ste|backlash|temperature|wear",
 
 
 scattergather:
-    sweep=4,
+    sweep=1,
     map=16,
 
 
 def own(*parts):
     """A file of the program, from the working directory: where both are moved, results stay up to date."""
-    return relpath(Path(workflow.basedir).joinpath(*parts))
+    return relpath(ROOT.joinpath(*parts))
+
+
+CONFIGURATION_FILES = list(
+    dict.fromkeys(
+        map(relpath, (ROOT / "config/config.yaml", *workflow.overwrite_configfiles))
+    )
+)
+CLAIMS = own("config", "paper_claims.yaml")
+STYLE = own("workflow", "report", "gearwear.mplstyle")
+TABLE = own("workflow", "report", "table.html.j2")
+
+
+def caption(name):
+    """The caption of a result in the report."""
+    return str(ROOT / "workflow" / "report" / f"{name}.rst")
+
+
+def code(stage):
+    """The digest of the code of a stage."""
+    if stage.endswith(".py"):
+        return "0"
+    return CODE[stages.target_of(stage)]
 
 
 def member(root):
@@ -94,13 +119,8 @@ def member(root):
     return MEMBERS[root]
 
 
-def refused(root, overrides):
-    """Why a member is none of the members, empty if it is one."""
-    return "" if root in MEMBERS else hindrance(config, overrides)
-
-
 def cfg(stage):
-    """The settings a stage sees: one plain dict, a function of the wildcards."""
+    """The settings that a stage reads: one plain dict, a function of the wildcards."""
 
     def cut(wildcards):
         case, sweep = wildcards.get("case", ""), wildcards.get("sweep", "")
@@ -108,7 +128,7 @@ def cfg(stage):
             return slice_of(member(wildcards.get("root", "")), stage, case, sweep)
         except KeyError as error:
             raise WorkflowError(
-                f"config: {stage} finds no {error} for case {case}; see config/README.md"
+                f"config: {stage} finds no {error} for case {case}; see docs/"
             ) from None
         except settings.ConfigError as error:
             raise WorkflowError(str(error)) from None
@@ -116,41 +136,29 @@ def cfg(stage):
     return cut
 
 
-def code(script):
-    """The digest of everything a stage script can run."""
-    path = Path(workflow.basedir) / "workflow" / "scripts" / script
-    # All at the start of the run; a job that an executor starts needs its own only.
-    return digest(path) if workflow.is_main_process else lambda wildcards: digest(path)
-
-
 def last(case, root=""):
     """The number of the last wear cycle of a case, as its files write it."""
     return f"{updates_of(member(root), case):03d}"
 
 
-def chain_file(settings, case):
-    """The wear chain of a case of a member, which members with the same settings behind it share."""
-    return f"results/studies/chains/{chain_of(settings, case)}.nc"
+def cycles(case, root="", first=0):
+    """The numbers of the wear cycles of a case, as its files write them."""
+    return [f"{q:03d}" for q in range(first, int(last(case, root)) + 1)]
 
 
-def earlier(pattern):
-    """Input function: the file of `pattern` one wear cycle before."""
+def every(stage):
+    """Input function: the files of a stage at every wear cycle of the case."""
 
-    def one_before(wildcards):
-        q = f"{int(wildcards.q) - 1:03d}"
-        return pattern.format(root=wildcards.root, case=wildcards.case, q=q)
+    def files(wildcards):
+        root, case = wildcards.root, wildcards.case
+        return [f"results/{root}{case}/{stage}/q{q}.nc" for q in cycles(case, root)]
 
-    return one_before
+    return files
 
 
 def final(stage):
     """Input function: the file of a stage at the last wear cycle of the case."""
-
-    def at_the_end(wildcards):
-        root, case = wildcards.root, wildcards.case
-        return f"results/{root}{case}/{stage}/q{last(case, root)}.nc"
-
-    return at_the_end
+    return lambda wildcards: every(stage)(wildcards)[-1]
 
 
 def reference(stage):
@@ -164,26 +172,21 @@ def reference(stage):
     return pristine
 
 
+def history_file(settings, case):
+    """The wear history of a case of a member, which members with the same settings behind it share."""
+    return f"results/studies/chains/{history_of(settings, case)}.nc"
+
+
 def studied():
-    """The given oscillators, or else the cases of the gear pair."""
+    """The prescribed oscillators, or else the cases of the gear pair."""
     return config["oscillators"] or config["cases"]
-
-
-def states():
-    """The dynamic response of every case at every wear cycle; a given oscillator has none."""
-    return [
-        f"results/{case}/response/q{q:03d}.nc"
-        for case in studied()
-        if case in config["cases"]
-        for q in range(int(last(case)) + 1)
-    ]
 
 
 def swept_cases():
     """Case and sweep of every sweep of the configuration."""
     return [
         (case, sweep)
-        for sweep in ("mesh_frequency", "ste", "backlash")
+        for sweep in SWEEPS
         for case in config["sweeps"][sweep]["cases"]
         if case in studied()
     ]
@@ -192,3 +195,42 @@ def swept_cases():
 def swept_in(sweep):
     """The cases of one sweep."""
     return [case for case, name in swept_cases() if name == sweep]
+
+
+def main_sweeps(stage="sweeps"):
+    """Every sweep in the direction that the claims judge."""
+    order = config["sweeps"]["order"]
+    return [
+        f"results/{case}/{stage}/{order}/{sweep}.nc" for case, sweep in swept_cases()
+    ]
+
+
+def listed(values_of, drawn=()):
+    """Case and sweep of the studied cases that a section lists values for, but those already drawn."""
+    return [
+        (case, sweep)
+        for sweep, cases in values_of.items()
+        for case, values in cases.items()
+        if values and case in studied() and (sweep, case) not in drawn
+    ]
+
+
+def drawn_state(case):
+    """Name, temperature and cycles of a case: plain values for legends. A prescribed oscillator has its name."""
+    if case in config["oscillators"]:
+        return {"case": case}
+    return {"case": case, "cycle": int(last(case)), **config["cases"][case]}
+
+
+def drawn_states():
+    """The states of figures 6 to 11."""
+    return [drawn_state(case) for case in config["figures"]["diagonal"]]
+
+
+def swept(sweep):
+    """What a figure says of its sweep: the section of the sweep without what decides files only."""
+    return {
+        key: value
+        for key, value in config["sweeps"][sweep].items()
+        if key not in ("cases", "points")
+    }

@@ -1,32 +1,4 @@
-from importlib.metadata import version
-
 from gearwear.config.rules import DRAWN_PORTRAITS
-
-PACKAGES = (
-    "matplotlib",
-    "netCDF4",
-    "numba",
-    "numpy",
-    "pint",
-    "pydantic",
-    "scipy",
-    "snakemake",
-    "xarray",
-)
-STYLE = own("workflow", "report", "gearwear.mplstyle")
-TABLE = own("workflow", "report", "table.html.j2")
-# The default first, each over the ones before it.
-CONFIGURATION_FILES = list(
-    dict.fromkeys(
-        relpath(file)
-        for file in (
-            own("config", "config.yaml"),
-            *workflow.overwrite_configfiles,
-        )
-    )
-)
-CLAIMS = own("config", "paper_claims.yaml")
-
 
 DIAGRAMS = {"mesh_frequency": 12, "ste": 15, "backlash": 17}
 
@@ -37,16 +9,6 @@ def figures():
     if config["oscillators"]:
         numbers = [number for sweep, number in DIAGRAMS.items() if swept_in(sweep)]
     return [f"results/figures/fig{number:02d}.svg" for number in numbers]
-
-
-def listed(values_of, drawn=()):
-    """Case and sweep of the studied cases that a section lists values for, but those already drawn."""
-    return [
-        (case, sweep)
-        for sweep, cases in values_of.items()
-        for case, values in cases.items()
-        if values and case in studied() and (sweep, case) not in drawn
-    ]
 
 
 def portrait_figures():
@@ -72,12 +34,6 @@ def basin_figures():
     ]
 
 
-def scorecard():
-    """The claims of the paper, where the pair is that of the paper."""
-    judged = config["figures"]["claims"] and not config["oscillators"]
-    return ["results/claims.csv", "results/claims.html"] if judged else []
-
-
 def paper_windows():
     """The file that names the windows of motion of the paper, where they are drawn."""
     return [CLAIMS] if scorecard() else []
@@ -91,60 +47,6 @@ def diagonal(pattern):
     ]
 
 
-def judged():
-    """Everything that the claims speak of: the states of figures 6 to 11, the extremes, sweeps, the last responses."""
-    files = ["results/geometry.nc"]
-    for case in dict.fromkeys(
-        [
-            *config["figures"]["diagonal"],
-            "without",
-            "temperature_only",
-            "wear_only",
-            "with",
-        ]
-    ):
-        files += [
-            f"results/{case}/{name}.nc" for name in ("temperature", "deformation")
-        ]
-        for stage in ("wear", "mesh_stiffness", "transmission_error", "backlash"):
-            files += [
-                f"results/{case}/{stage}/q{q}.nc"
-                for q in dict.fromkeys(["000", last(case)])
-            ]
-    files += [f"results/with/wear/q{q:03d}.nc" for q in range(1, int(last("with")))]
-    files += [f"results/{case}/response/q{last(case)}.nc" for case in config["cases"]]
-    return files + main_sweeps()
-
-
-def main_sweeps(stage="sweeps"):
-    """Every sweep in the order that the claims judge."""
-    order = config["sweeps"]["order"]
-    return [
-        f"results/{case}/{stage}/{order}/{sweep}.nc" for case, sweep in swept_cases()
-    ]
-
-
-def drawn_state(case):
-    """Name, temperature and cycles of a case: plain values for legends. A given oscillator has its name."""
-    if case in config["oscillators"]:
-        return {"case": case}
-    return {"case": case, "cycle": int(last(case)), **config["cases"][case]}
-
-
-def drawn_states():
-    """The states of figures 6 to 11."""
-    return [drawn_state(case) for case in config["figures"]["diagonal"]]
-
-
-def swept(sweep):
-    """What a figure says of its sweep: the section of the sweep without what decides files only."""
-    return {
-        key: value
-        for key, value in config["sweeps"][sweep].items()
-        if key not in ("cases", "points")
-    }
-
-
 def drawn_case(wildcards):
     """What a figure of one case and sweep says of both."""
     return {
@@ -152,113 +54,6 @@ def drawn_case(wildcards):
         "swept": swept(wildcards.sweep),
         "state": drawn_state(wildcards.case),
     }
-
-
-def caption(figure):
-    """The caption of a figure in the report."""
-    return str(Path(workflow.basedir) / "workflow" / "report" / f"{figure}.rst")
-
-
-rule list_parameters:
-    input:
-        files=CONFIGURATION_FILES,
-        template=TABLE,
-    output:
-        csv="results/parameters.csv",
-        html=report(
-            "results/parameters.html",
-            caption=caption("parameters"),
-            category="Study",
-            labels={"table": "parameters"},
-        ),
-    log:
-        "results/logs/list_parameters.log",
-    benchmark:
-        "results/benchmarks/list_parameters.tsv"
-    params:
-        cfg={
-            "configuration": config,
-            "command_line": workflow.config_settings.config or {},
-        },
-        code=code("list_parameters.py"),
-    message:
-        "Listing the values of the configuration."
-    script:
-        "../scripts/list_parameters.py"
-
-
-rule list_versions:
-    input:
-        template=TABLE,
-    output:
-        csv="results/versions.csv",
-        html=report(
-            "results/versions.html",
-            caption=caption("versions"),
-            category="Study",
-            labels={"table": "versions"},
-        ),
-    log:
-        "results/logs/list_versions.log",
-    benchmark:
-        "results/benchmarks/list_versions.tsv"
-    params:
-        cfg={name: version(name) for name in PACKAGES},
-        code=code("list_versions.py"),
-    message:
-        "Listing the versions of the packages."
-    script:
-        "../scripts/list_versions.py"
-
-
-rule judge_claims:
-    input:
-        claims=CLAIMS,
-        results=judged(),
-    output:
-        report(
-            "results/claims.csv",
-            caption=caption("claims"),
-            category="Claims of the paper",
-            labels={"form": "table, to download"},
-        ),
-    log:
-        "results/logs/judge_claims.log",
-    benchmark:
-        "results/benchmarks/judge_claims.tsv"
-    params:
-        cfg={"states": drawn_states()},
-        code=code("judge_claims.py"),
-    message:
-        "Holding the claims of the paper against the results."
-    script:
-        "../scripts/judge_claims.py"
-
-
-rule show_claims:
-    input:
-        claims=CLAIMS,
-        scorecard="results/claims.csv",
-        sweeps=main_sweeps(),
-        template=own("workflow", "report", "claims.html.j2"),
-    output:
-        report(
-            "results/claims.html",
-            caption=caption("claims"),
-            category="Claims of the paper",
-            labels={"form": "scorecard"},
-        ),
-    log:
-        "results/logs/show_claims.log",
-    benchmark:
-        "results/benchmarks/show_claims.tsv"
-    params:
-        cfg={},
-        code=code("show_claims.py"),
-    message:
-        "Writing the scorecard of the claims as a page."
-    script:
-        "../scripts/show_claims.py"
 
 
 rule plot_wear:

@@ -1,3 +1,5 @@
+"""Maps of the motion over the mesh frequency and a second parameter or a state of the pair."""
+
 POINTS_OF_A_TILE = 5000  # twenty seconds of one processor
 
 
@@ -10,7 +12,11 @@ def mapped():
 
 def map_cfg(wildcards):
     """The settings a map sees."""
-    return cfg(f"map_{wildcards.map}")(wildcards)
+    return cfg(
+        "temperature_map_tile"
+        if wildcards.map == "temperature"
+        else f"map_{wildcards.map}"
+    )(wildcards)
 
 
 def tiles(wildcards):
@@ -40,11 +46,11 @@ def rows_of(stage):
     return files
 
 
-def temperature_chains(wildcards):
-    """The wear chains behind the rows of a tile of the map over the bulk temperature."""
+def temperature_histories(wildcards):
+    """The wear histories behind the rows of a tile of the map over the bulk temperature."""
     part, parts = (int(word) for word in wildcards.scatteritem.split("-of-"))
     roots = map(temperature_root, config["maps"]["temperature"][part - 1 :: parts])
-    return [chain_file(MEMBERS[root], wildcards.case) for root in roots]
+    return [history_file(MEMBERS[root], wildcards.case) for root in roots]
 
 
 rule map_tile:
@@ -53,7 +59,9 @@ rule map_tile:
         mesh_stiffness=rows_of("mesh_stiffness"),
         transmission_error=rows_of("transmission_error"),
         backlash=rows_of("backlash"),
-        wear=rows_of("wear"),
+        wear=lambda wildcards: (
+            rows_of("wear")(wildcards) if wildcards.map == "wear" else []
+        ),
         reference_stiffness=reference("mesh_stiffness"),
         reference_error=reference("transmission_error"),
     output:
@@ -66,50 +74,50 @@ rule map_tile:
         map="ste|backlash|wear",
     params:
         cfg=map_cfg,
-        code=code("map_tile.py"),
+        code=code("map_tile"),
     message:
         "Case {wildcards.case}: mapping mesh frequency and {wildcards.map}, tile {wildcards.scatteritem}."
     script:
-        "../scripts/map_tile.py"
+        "../scripts/stage.py"
 
 
-rule map_temperature:
+rule temperature_map_tile:
     input:
-        chains=temperature_chains,
+        histories=temperature_histories,
     output:
         "results/{case}/maps/tiles/temperature/{scatteritem}.nc",
     log:
-        "results/logs/{case}/map_temperature/{scatteritem}.log",
+        "results/logs/{case}/map_tile/temperature/{scatteritem}.log",
     benchmark:
-        "results/benchmarks/{case}/map_temperature/{scatteritem}.tsv"
+        "results/benchmarks/{case}/map_tile/temperature/{scatteritem}.tsv"
     params:
         cfg=lambda wildcards: {
-            "map": cfg("map_temperature")(wildcards),
+            "map": cfg("temperature_map_tile")(wildcards),
             "updates": updates_of(config, wildcards.case),
         },
-        code=code("map_temperature.py"),
+        code=code("temperature_map_tile"),
     message:
         "Case {wildcards.case}: mapping mesh frequency and bulk temperature, tile {wildcards.scatteritem}."
     script:
-        "../scripts/map_temperature.py"
+        "../scripts/stage.py"
 
 
-rule join_map:
+rule map:
     input:
         tiles=tiles,
     output:
         "results/{case}/maps/{map}.nc",
     log:
-        "results/logs/{case}/join_map/{map}.log",
+        "results/logs/{case}/map/{map}.log",
     benchmark:
-        "results/benchmarks/{case}/join_map/{map}.tsv"
+        "results/benchmarks/{case}/map/{map}.tsv"
     params:
         cfg=map_cfg,
-        code=code("join_map.py"),
+        code=code("map"),
     message:
         "Case {wildcards.case}: joining the tiles of the map over {wildcards.map}."
     script:
-        "../scripts/join_map.py"
+        "../scripts/stage.py"
 
 
 rule plot_map:

@@ -1,41 +1,45 @@
+"""Studies: every combination of some values of some keys is a member; the sensitivity is one of them."""
+
+from gearwear.config import variations
+from gearwear.config.declared import declared_at
 from gearwear.config.grids import combinations
 from gearwear.config.members import overrides_of
-from gearwear.config.declared import declared_at
+
+
+def refused(root, overrides):
+    """Why a member is none of the members, empty if it is one."""
+    return "" if root in MEMBERS else refusal(config, overrides)
 
 
 def combined(study):
-    """Every member of a study: its name, its folder, and why it cannot be, empty if it can."""
+    """Every member of a study: its name, its folder, and why it is not feasible, empty if it is."""
     declared = config["studies"][study]
-    if not declared["grid"]:
-        found = [(name, "") for name in declared["members"]]
-    else:
-        found = [
-            (
-                one.name,
-                refused(
-                    f"studies/{study}/{one.name}/", overrides_of(declared, one.values)
-                ),
+    found = {name: "" for name in declared["members"]}
+    if declared["grid"]:
+        found = {
+            one.name: refused(
+                f"studies/{study}/{one.name}/", overrides_of(declared, one.values)
             )
             for one in combinations(declared["grid"])
-        ]
+        }
     return [
-        {"name": name, "root": f"studies/{study}/{name}/", "hindrance": reason}
-        for name, reason in found
+        {"name": name, "root": f"studies/{study}/{name}/", "reason": reason}
+        for name, reason in found.items()
     ]
 
 
-def chains_wanted():
-    """Configuration and case of every wear chain that the members of studies share."""
+def histories_wanted():
+    """Configuration and case of every wear history that the members of studies share."""
     case = config["maps"]["case"]
     for value in config["maps"]["temperature"]:
         yield MEMBERS[temperature_root(value)], case
     for study, declared in config["studies"].items():
         for one in combined(study):
-            if not one["hindrance"]:
+            if not one["reason"]:
                 yield MEMBERS[one["root"]], declared["case"]
 
 
-CHAINS = chains(chains_wanted())
+HISTORIES = histories(histories_wanted())
 
 
 def case_of_study(root):
@@ -49,80 +53,87 @@ def units_of(study):
 
 
 def study_cfg(wildcards):
-    """The settings that gathering a study sees."""
+    """The settings of the stage that collects a study."""
     declared = config["studies"][wildcards.study]
-    members = [
-        {key: one[key] for key in ("name", "hindrance")}
-        for one in combined(wildcards.study)
-    ]
     return cfg("study")(wildcards) | {
         "study": declared,
-        "members": members,
+        "members": [
+            {key: one[key] for key in ("name", "reason")}
+            for one in combined(wildcards.study)
+        ],
         "units": units_of(wildcards.study),
+        "meanings": {key: declared_at(key).meaning for key in declared["grid"]},
     }
 
 
 def study_files(study):
     """What is made of a study."""
-    files = expand(
-        "results/studies/{study}/{file}",
-        study=study,
-        file=("study.nc", "table.csv", "lives.csv"),
-    )
-    return [*files, f"results/figures/study_{study}.svg"]
+    files = ("study.nc", "table.csv", "lives.csv")
+    return [
+        *(f"results/studies/{study}/{file}" for file in files),
+        f"results/figures/study_{study}.svg",
+    ]
 
 
-rule run_chain:
+VARIED = [
+    {name: value for name, value in one._asdict().items() if name != "overrides"}
+    | {"hindrance": refused(f"studies/{variations.STUDY}/{one.name}/", one.overrides)}
+    for one in variations.variations(config)
+]
+
+
+rule wear_history:
     output:
-        "results/studies/chains/{chain}.nc",
+        "results/studies/chains/{history}.nc",
     log:
-        "results/logs/studies/chains/{chain}.log",
+        "results/logs/studies/chains/{history}.log",
     benchmark:
-        "results/benchmarks/studies/chains/{chain}.tsv"
+        "results/benchmarks/studies/chains/{history}.tsv"
     wildcard_constraints:
-        chain=r"\w+",
+        history=r"\w+",
     params:
-        cfg=lambda wildcards: CHAINS[wildcards.chain],
-        code=code("run_chain.py"),
+        cfg=lambda wildcards: HISTORIES[wildcards.history],
+        code=code("wear_history"),
     message:
         "Wearing the pair cycle by cycle in one process: {output}."
     script:
-        "../scripts/run_chain.py"
+        "../scripts/stage.py"
 
 
-rule measure_outcome:
+rule outcome:
     input:
-        chain=lambda wildcards: chain_file(
+        history=lambda wildcards: history_file(
             member(wildcards.root), case_of_study(wildcards.root)
         ),
     output:
         "results/{root}outcome.nc",
     log:
-        "results/logs/{root}measure_outcome.log",
+        "results/logs/{root}outcome.log",
     benchmark:
-        "results/benchmarks/{root}measure_outcome.tsv"
+        "results/benchmarks/{root}outcome.tsv"
     wildcard_constraints:
-        root="studies/[a-z][a-z0-9_]*/[a-z][a-z0-9_]*/",
+        root=MEMBER,
     params:
         cfg=lambda wildcards: {
-            "outcome": cfg("outcome")(wildcards),
+            "settings": cfg("outcome")(wildcards),
             "update": updates_of(
                 member(wildcards.root), case_of_study(wildcards.root)
             ),
+            "member": wildcards.root,
         },
-        code=code("measure_outcome.py"),
+        code=code("outcome"),
     message:
         "Measuring the motions over the speed: results/{wildcards.root}outcome.nc."
     script:
-        "../scripts/measure_outcome.py"
+        "../scripts/stage.py"
 
 
-rule gather_study:
+rule study:
     input:
         outcomes=lambda wildcards: [
             f"results/{one['root']}outcome.nc"
             for one in combined(wildcards.study)
-            if not one["hindrance"]
+            if not one["reason"]
         ],
     output:
         data="results/studies/{study}/study.nc",
@@ -134,16 +145,57 @@ rule gather_study:
             labels={"table": "{study}: safe speeds"},
         ),
     log:
-        "results/logs/studies/{study}/gather_study.log",
+        "results/logs/studies/{study}/study.log",
     benchmark:
-        "results/benchmarks/studies/{study}/gather_study.tsv"
+        "results/benchmarks/studies/{study}/study.tsv"
     params:
         cfg=study_cfg,
-        code=code("gather_study.py"),
+        code=code("study"),
     message:
-        "Gathering the members of study {wildcards.study}."
+        "Collecting the members of study {wildcards.study}."
     script:
-        "../scripts/gather_study.py"
+        "../scripts/stage.py"
+
+
+rule measures:
+    output:
+        "results/{root}measures.nc",
+    log:
+        "results/logs/{root}measures.log",
+    benchmark:
+        "results/benchmarks/{root}measures.tsv"
+    params:
+        cfg=cfg("measures"),
+        code=code("measures"),
+    message:
+        "Measuring the mesh, the wear and the route to chaos: results/{wildcards.root}measures.nc."
+    script:
+        "../scripts/stage.py"
+
+
+rule sensitivity_comparison:
+    input:
+        study="results/measures.nc",
+        members=[
+            f"results/studies/{variations.STUDY}/{one['name']}/measures.nc"
+            for one in VARIED
+            if not one["hindrance"]
+        ],
+    output:
+        measures="results/sensitivity.nc",
+        table="results/sensitivity.csv",
+    log:
+        "results/logs/sensitivity_comparison.log",
+    benchmark:
+        "results/benchmarks/sensitivity_comparison.tsv"
+    params:
+        cfg=lambda wildcards: cfg("sensitivity_comparison")(wildcards)
+        | {"varied": VARIED},
+        code=code("sensitivity_comparison"),
+    message:
+        "Comparing what every option and every open parameter changes."
+    script:
+        "../scripts/stage.py"
 
 
 rule plot_study:
@@ -173,3 +225,28 @@ rule plot_study:
         "Figure: the members of study {wildcards.study} over the speed."
     script:
         "../scripts/plot_study.py"
+
+
+rule plot_sensitivity:
+    input:
+        measures="results/sensitivity.nc",
+        style=STYLE,
+    output:
+        svg=report(
+            "results/figures/sensitivity.svg",
+            caption=caption("sensitivity"),
+            category="Trust",
+            labels={"figure": "sensitivity"},
+        ),
+        png="results/figures/sensitivity.png",
+    log:
+        "results/logs/plot_sensitivity.log",
+    benchmark:
+        "results/benchmarks/plot_sensitivity.tsv"
+    params:
+        cfg={},
+        code=code("plot_sensitivity.py"),
+    message:
+        "Figure: what every option and every open parameter changes."
+    script:
+        "../scripts/plot_sensitivity.py"

@@ -1,3 +1,5 @@
+"""Comparison with standards, other programs, closed forms and finer grids, group by group."""
+
 CHECKS = own("config", "validation.yaml")
 CHECKED = (
     "geometry",
@@ -16,22 +18,54 @@ wildcard_constraints:
     group="|".join(CHECKED),
 
 
-rule check_group:
+rule validation_group:
     input:
         checks=CHECKS,
     output:
         "results/validation/{group}.csv",
     log:
-        "results/logs/validation/check_{group}.log",
+        "results/logs/validation/{group}.log",
     benchmark:
-        "results/benchmarks/validation/check_{group}.tsv"
+        "results/benchmarks/validation/{group}.tsv"
     params:
-        cfg=lambda wildcards: {"group": wildcards.group},
-        code=code("check_group.py"),
+        cfg={},
+        code=code("validation_group"),
     message:
         "Checking {wildcards.group} against its sources."
     script:
-        "../scripts/check_group.py"
+        "../scripts/stage.py"
+
+
+rule validation_page:
+    input:
+        checks=CHECKS,
+        found=expand("results/validation/{group}.csv", group=CHECKED),
+        figures=expand("results/validation/{group}.svg", group=CHECKED),
+        template=own("workflow", "report", "validation.html.j2"),
+    output:
+        table=report(
+            "results/validation/validation.csv",
+            caption=caption("validation"),
+            category="Validation",
+            labels={"figure": "table"},
+        ),
+        page=report(
+            "results/validation/validation.html",
+            caption=caption("validation"),
+            category="Validation",
+            labels={"figure": "page"},
+        ),
+    log:
+        "results/logs/validation/validation_page.log",
+    benchmark:
+        "results/benchmarks/validation/validation_page.tsv"
+    params:
+        cfg={},
+        code=code("validation_page"),
+    message:
+        "Writing the table and the page of the validation."
+    script:
+        "../scripts/stage.py"
 
 
 rule plot_checks:
@@ -58,35 +92,3 @@ rule plot_checks:
         "Figure: checks of {wildcards.group}."
     script:
         "../scripts/plot_checks.py"
-
-
-rule show_validation:
-    input:
-        checks=CHECKS,
-        found=expand("results/validation/{group}.csv", group=CHECKED),
-        figures=expand("results/validation/{group}.svg", group=CHECKED),
-        template=own("workflow", "report", "validation.html.j2"),
-    output:
-        table=report(
-            "results/validation/validation.csv",
-            caption=caption("validation"),
-            category="Validation",
-            labels={"figure": "table"},
-        ),
-        page=report(
-            "results/validation/validation.html",
-            caption=caption("validation"),
-            category="Validation",
-            labels={"figure": "page"},
-        ),
-    log:
-        "results/logs/validation/show_validation.log",
-    benchmark:
-        "results/benchmarks/validation/show_validation.tsv"
-    params:
-        cfg={},
-        code=code("show_validation.py"),
-    message:
-        "Writing the table and the page of the validation."
-    script:
-        "../scripts/show_validation.py"

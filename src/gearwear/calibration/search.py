@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -15,9 +16,10 @@ from gearwear.calibration.candidate import SWEPT, pair_of, quick_sweeps
 from gearwear.calibration.sampling import points
 from gearwear.config.calibration_parameters import NAMES, ends, values_of, with_values
 from gearwear.errors import Infeasible
-from gearwear.run.stage import log
 
 _MUTATION, _RECOMBINATION = (0.4, 0.9), 0.8
+
+log = logging.getLogger("gearwear")
 
 
 def evolve(config: dict[str, Any], claims: Sequence[Mapping[str, Any]], island: int) -> xr.Dataset:

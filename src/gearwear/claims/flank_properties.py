@@ -129,8 +129,8 @@ def growth_dominated_by_bulk_temperature(study: Study) -> tuple[bool, str]:
     The latter is an upper bound: the flash temperature is taken to heat the whole tooth.
     """
     bulk, flash = (
-        path_mean(study.field(name, "deformation", "with").sum("gear"))
-        for name in ("thermal_growth", "thermal_growth_flash")
+        path_mean(study.field(name, result, "with").sum("gear"))
+        for name, result in (("thermal_growth", "deformation"), ("thermal_growth_flash", "flash_growth"))
     )
     found = f"mean of both gears {micrometres(bulk)} by bulk, {micrometres(flash)} by flash temperature"
     return bulk > rules.FAR_MORE * flash, found

@@ -21,7 +21,7 @@ class Study:
     Parameters
     ----------
     results
-        Datasets under ``"geometry"``, ``("temperature" | "deformation", case)``,
+        Datasets under ``"geometry"``, ``("temperature" | "deformation" | "flash_growth", case)``,
         ``("wear" | "mesh_stiffness" | "transmission_error" | "backlash", case, cycle)`` and
         ``("sweep", case, name)``. Values may be opened on access; only the keys are iterated.
     diagonal

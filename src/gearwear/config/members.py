@@ -26,7 +26,7 @@ def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
     -------
     folder, "" or "studies/STUDY/MEMBER/" -> checked configuration; that of a member has no studies. An option that the
     rest of the configuration does not allow makes no member of the study of the sensitivity, and an impossible
-    combination none of a grid; see `hindrance`.
+    combination none of a grid; see `refusal`.
 
     Raises
     ------
@@ -50,7 +50,7 @@ def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
     return found
 
 
-def hindrance(config: dict[str, Any], overrides: Overrides) -> str:
+def refusal(config: dict[str, Any], overrides: Overrides) -> str:
     """Return why the configuration with these overrides is refused, one problem after another; "" if it is not."""
     try:
         check(merged({**config, "studies": {}}, overrides), config)

@@ -77,13 +77,18 @@ STAGES: dict[str, tuple[str, ...]] = {
         "material.gear.thermal_expansion",
         "case.bulk_temperature",
     ),
-    "chain": (*_WHOLE_CHAIN, "case.bulk_temperature", "case.flash", "cases.{reference}"),
-    "start_wear": (),
-    "advance_wear": ("wear", "operation", "lubricant", *_HOT_STEEL),
-    "mesh_stiffness": ("mesh_stiffness", *_HOT_STEEL),
-    "transmission_error": ("transmission_error", "operation.pinion_torque"),
-    "backlash": ("backlash", "heat.initial_temperature", "case.bulk_temperature"),
-    "handover": ("dynamics.stiffness",),
+    "wear_history": (*_WHOLE_CHAIN, "case.bulk_temperature", "case.flash", "cases.{reference}"),
+    "unworn": (),
+    "wear": ("wear", "operation", "lubricant", *_HOT_STEEL),
+    "mesh_excitation": (
+        "mesh_stiffness",
+        "transmission_error",
+        "backlash",
+        "heat.initial_temperature",
+        "operation.pinion_torque",
+        *_HOT_STEEL,
+    ),
+    "handover_dataset": ("dynamics.stiffness",),
     "response": (*_EXCITED, "operation.pinion_speed"),
     "excitation": (
         "dynamics.stiffness",
@@ -94,14 +99,14 @@ STAGES: dict[str, tuple[str, ...]] = {
         "dynamics.bearings",
         "operation.pinion_torque",
     ),
-    "given_excitation": ("oscillators.{case}",),
+    "prescribed_excitation": ("oscillators.{case}",),
     "sweep": (*_MOVED, "sweeps.{sweep}"),
     "branches": (*_OSCILLATOR, "sweeps.{sweep}", "branches"),
     "map_ste": (*_EXCITED, "maps.mesh_frequency", "maps.ste"),
     "map_backlash": (*_EXCITED, "maps.mesh_frequency", "maps.backlash", "sweeps.backlash.reading"),
-    "map_temperature": (*_EXCITED, "maps.mesh_frequency", "maps.temperature"),
+    "temperature_map_tile": (*_EXCITED, "maps.mesh_frequency", "maps.temperature"),
     "map_wear": (*_EXCITED, "maps.mesh_frequency"),
-    "onsets": (*_MOVED, "sweeps.order", "onsets.refinement"),
+    "case_onsets": (*_MOVED, "sweeps.order", "onsets.refinement"),
     "measures": (*_WHOLE_CHAIN, *_BOTH_CASES, *_ROUTE),
     "member_onsets": (
         *_WHOLE_CHAIN,
@@ -113,7 +118,7 @@ STAGES: dict[str, tuple[str, ...]] = {
     ),
     "outcome": (*_EXCITED, "operation.pinion_speed", *_ROUTE),
     "study": ("sweeps.order", "sweeps.mesh_frequency"),
-    "sensitivity": ("sensitivity",),
+    "sensitivity_comparison": ("sensitivity",),
     "onset_shifts": ("sweeps.order", "onsets.members", "onsets.box"),
     "calibration": (
         *_WHOLE_CHAIN,
@@ -138,7 +143,7 @@ STAGES: dict[str, tuple[str, ...]] = {
 }
 
 # Stages that follow branches of periodic orbits, or take a motion up from its section, which model torsional alone has.
-FOLLOWING = ("branches", "onsets", "measures", "member_onsets", "outcome", "motions")
+FOLLOWING = ("branches", "case_onsets", "measures", "member_onsets", "outcome", "motions")
 
 # Keys of a sweep that a stage passes over: the list of cases decides which files are made, not what is in them.
 _PASSED_OVER = {
@@ -168,8 +173,6 @@ def slice_of(config: dict, stage: str, case: str = "", sweep: str = "") -> dict[
             f"dynamics.model: {model} has neither branches of periodic orbits nor a section that is its whole state; "
             f"without them there are no {stage}: give torsional, or leave this target out"
         )
-    if stage == "mesh_stiffness" and config["mesh_stiffness"]["hertz"] == "weber":
-        wanted.append("operation.pinion_torque")
     cut: dict[str, Any] = {}
     for dotted in wanted:
         path = dotted.format(case=case, sweep=sweep, reference=config["dynamics"]["reference_case"]).split(".")

@@ -132,13 +132,18 @@ def lineage(path: str | Path) -> str:
         return file.lineage
 
 
-def lineages(inputs: Mapping[str, xr.Dataset | Sequence[xr.Dataset]]) -> dict[str, str]:
-    """Return the lineages behind every named input, each once: the parts of one whole share theirs."""
+def lineages(inputs: Mapping[str, Any]) -> dict[str, str]:
+    """Return the lineages behind every named input, each once: the parts of one whole share theirs.
+
+    Parameters
+    ----------
+    inputs : datasets, or lists of them; what is neither has no lineage.
+    """
     found = {}
-    for name, several in inputs.items():
-        behind = {one.attrs["lineage"] for one in ([several] if isinstance(several, xr.Dataset) else several)}
-        if behind:
-            found[name] = " ".join(sorted(behind))
+    for name, one in inputs.items():
+        datasets = [each for each in (one if isinstance(one, list) else [one]) if isinstance(each, xr.Dataset)]
+        if datasets:
+            found[name] = " ".join(sorted({each.attrs["lineage"] for each in datasets}))
     return found
 
 

@@ -58,6 +58,12 @@ def digests(targets: Iterable[str], folder: Path) -> dict[str, str]:
     return found
 
 
+def memory(environment: dict[str, str]) -> Path:
+    """Return the folder that keeps digests from one command to the next, in the cache of the user."""
+    base = environment.get("GEARWEAR_CACHE") or Path(environment.get("XDG_CACHE_HOME") or "~/.cache", "gearwear")
+    return Path(base).expanduser() / "digests"
+
+
 @lru_cache
 def source_key(package: Path = PACKAGE) -> str:
     """Return 16 hexadecimal digits that change with every Python file of the package."""

@@ -22,9 +22,15 @@ class Outdated(GearwearError):
     """What a job was ordered to do is no longer asked for."""
 
 
-def plan_of(config: dict, folder: Path) -> str:
-    """Return 16 hexadecimal digits that change with the checked settings and with every source below `folder`."""
-    total = hashlib.sha256(json.dumps(config, sort_keys=True).encode())
+def plan_of(config: dict, folder: Path, sources: str) -> str:
+    """Return 16 hexadecimal digits that change with the checked settings, the rules and the sources.
+
+    Parameters
+    ----------
+    folder : of the rules and their scripts.
+    sources : key of the sources of the package.
+    """
+    total = hashlib.sha256(f"{json.dumps(config, sort_keys=True)}\0{sources}".encode())
     for path in sorted(path for path in folder.rglob("*") if path.suffix in (".py", ".smk")):
         total.update(f"\0{path.relative_to(folder)}\0".encode() + path.read_bytes())
     return total.hexdigest()[:16]
