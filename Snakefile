@@ -32,9 +32,8 @@ include: "workflow/rules/common.smk"
 include: "workflow/rules/wear.smk"
 include: "workflow/rules/motion.smk"
 include: "workflow/rules/evaluation.smk"
-include: "workflow/rules/figures.smk"
-include: "workflow/rules/extra_figures.smk"
 include: "workflow/rules/studies.smk"
+include: "workflow/rules/figures.smk"
 include: "workflow/rules/maps.smk"
 include: "workflow/rules/onsets.smk"
 include: "workflow/rules/validation.smk"
@@ -47,7 +46,10 @@ rule all:
     default_target: True
     input:
         states(),
-        expand("results/{case}/flash_growth.nc", case=[] if config["oscillators"] else config["cases"]),
+        expand(
+            "results/{case}/flash_growth.nc",
+            case=[] if config["oscillators"] else config["cases"],
+        ),
         figures(),
         portrait_figures(),
         extra_figures(),

@@ -1,10 +1,8 @@
-"""Every plot script on tiny synthetic results: both files, the words on them, the same bytes twice."""
+"""Every figure of tiny synthetic results: both files, the words on them, the same bytes twice."""
 
-import importlib
 import xml.etree.ElementTree as ElementTree
 from itertools import combinations
 from pathlib import Path
-from types import SimpleNamespace
 
 import matplotlib.style
 import numpy as np
@@ -14,8 +12,18 @@ import yaml
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 
-from gearwear.figures import sheet
-from gearwear.io import store
+from gearwear.figures import (
+    basin_panels,
+    bifurcation,
+    excitations,
+    exponents,
+    flanks,
+    history,
+    mesh_force,
+    portraits,
+    sheet,
+    study_panels,
+)
 from gearwear.studies.gathering import gathered
 from gearwear.studies.outcome import impossible
 
@@ -50,22 +58,13 @@ CLASSES = {
 HEAT, AGE = "cases.with.bulk_temperature", "cases.with.running_cycles"
 
 
-class Files(dict):
-    """Named files, as a job has them."""
-
-    __getattr__ = dict.__getitem__
-
-
 @pytest.fixture(scope="module")
-def results(tmp_path_factory):
-    """Write the result files of two states, three sweeps and their portraits; return their folder."""
-    folder = tmp_path_factory.mktemp("results")
+def results():
+    """Return the datasets of two states, three sweeps, their portraits and a study, by name."""
+    found = {}
 
-    def save(name, variables, coordinates):
-        rule = {"geometry": "build_geometry", "study": "gather_study"}.get(name, "made_up")
-        job = SimpleNamespace(rule=rule, input=Files(), output=[str(folder / f"{name}.nc")])
-        job.params = SimpleNamespace(cfg={}, code=name)
-        store.save(xr.Dataset(variables, coordinates), job)
+    def add(name, variables, coordinates):
+        found[name] = xr.Dataset(variables, coordinates, {"lineage": f"made of {name}"})
 
     zones = ((START, SINGLE, 7), (SINGLE, DOUBLE, 4), (DOUBLE, END, 7))
     path = np.concatenate([np.linspace(low, high, count) for low, high, count in zones])
@@ -85,17 +84,17 @@ def results(tmp_path_factory):
         "mesh_phase_width": ("mesh_phase", np.full(10, 0.1)),
         "partner": ("path", np.concatenate([np.arange(11, 18), np.full(4, -1), np.arange(7)])),
     }
-    save("geometry", points, of_gears | of_phase)
+    add("geometry", points, of_gears | of_phase)
     along, mesh = ("gear", "path"), np.where(phase < 0.6, 3.5e8, 2e8)
     for i, case in enumerate(CASES):
         wear = i * 1e-6 * (1 + single) * np.abs(path - PITCH) / PITCH
         growth = i * np.stack([5e-6 - path / 1e4, 3e-6 + path / 1e4])
         worn = {"wear_depth": (along, np.stack([3 * wear, wear])), "running_cycles": i * 2.1e9}
-        save(f"{case}_wear", worn, of_gears)
-        save(f"{case}_deformation", {"thermal_growth": (along, growth)}, of_gears)
+        add(f"{case}_wear", worn, of_gears)
+        add(f"{case}_deformation", {"thermal_growth": (along, growth)}, of_gears)
         springs = {"pair_stiffness": ("path", np.full(18, 2e8)), "pair_coupling": ("path", np.zeros(18))}
         stiffness = {"mesh_stiffness": ("mesh_phase", mesh * (1 - 0.03 * i))} | springs
-        save(f"{case}_mesh_stiffness", stiffness, of_phase | {"path": path})
+        add(f"{case}_mesh_stiffness", stiffness, of_phase | {"path": path})
         error = {
             "transmission_error": ("mesh_phase", 4e3 / mesh * (1 + 0.1 * i)),
             "effective_stiffness": ("mesh_phase", mesh * (1 - 0.1 * i)),
@@ -103,35 +102,33 @@ def results(tmp_path_factory):
             "load_share_path": ("path", (1 + single) / 2),
             "sharing_error": ("path", np.linspace(1e-6 * i, 0, 18)),
         }
-        save(f"{case}_transmission_error", error, of_phase | {"path": path})
+        add(f"{case}_transmission_error", error, of_phase | {"path": path})
         clearance = {"backlash_path": ("path", 7e-5 - 5e-6 * i + 3e-6 * single), "initial_half_backlash": 6.5e-5}
-        save(f"{case}_backlash", clearance, {"path": path})
+        add(f"{case}_backlash", clearance, {"path": path})
         contact = {
             "flash_temperature": 90 * i * np.abs(path - PITCH) / PITCH,
             "friction_coefficient": 0.06 - 0.01 * single,
             "film_ratio": 0.3 + path * 20,
         }
         contact["contact_temperature"] = 20 + 80 * i + contact["flash_temperature"]
-        save(f"{case}_temperature", {name: ("path", values) for name, values in contact.items()}, {"path": path})
+        add(f"{case}_temperature", {name: ("path", values) for name, values in contact.items()}, {"path": path})
         time = np.arange(1 + i)[:, None] + np.append(phase, phase[:8])
         force = 4000 + 800 * np.cos(2 * np.pi * time) + 100 * i * np.cos(np.pi * time)
         moving = {"mesh_frequency_ratio": 0.28, "mean_force": 4000.0, "motion_class": 1 + i}
-        save(f"{case}_response", moving | {"mesh_force_path": (("response_period", "path"), force)}, {"path": path})
+        add(f"{case}_response", moving | {"mesh_force_path": (("response_period", "path"), force)}, {"path": path})
         for sweep, settings in SWEPT.items():
             swept = np.linspace(settings["first"], settings["last"], settings["points"])
             for order, classes in CLASSES.items():
-                save(f"{case}_{sweep}_{order}", motion(classes), {sweep: ("point", swept)})
-            save(f"{case}_{sweep}_branches", branches(), {sweep: ("node", swept[[0, 3, 5, 5, 8]])})
+                add(f"{case}_{sweep}_{order}", motion(classes), {sweep: ("point", swept)})
+            add(f"{case}_{sweep}_branches", branches(), {sweep: ("node", swept[[0, 3, 5, 5, 8]])})
             time = np.linspace(0, 2 * np.pi, 65)
             orbit = {
                 "orbit_displacement": (("point", "time"), np.tile(np.cos(time), (3, 1))),
                 "orbit_velocity": (("point", "time"), np.tile(np.sin(time), (3, 1))),
             }
-            save(f"{case}_{sweep}_basins", *basins(sweep, swept[[1, 3, 5, 7]]))
-            save(f"{case}_{sweep}_portraits", motion([1, 0, 101]) | orbit, {sweep: ("point", swept[[1, 3, 7]])})
-    study = life()
-    save("study", study.data_vars, study.coords)
-    return folder
+            add(f"{case}_{sweep}_basins", *basins(sweep, swept[[1, 3, 5, 7]]))
+            add(f"{case}_{sweep}_portraits", motion([1, 0, 101]) | orbit, {sweep: ("point", swept[[1, 3, 7]])})
+    return found | {"study": life()}
 
 
 def life():
@@ -204,70 +201,73 @@ def motion(classes):
     }
 
 
-def inputs_of(results, number):
-    """Return script, named inputs and settings of a figure, by its number or name."""
+STATED = {"states": STATES}
+PANELS = [
+    {"sweep": sweep, "swept": settings, "state": state}
+    for sweep, settings in SWEPT.items()
+    for state in STATES
+    if state["case"] in settings["cases"]
+]
+MESH = ("mesh_stiffness", "transmission_error")
 
-    def each(name):
-        return [str(results / f"{case}_{name}.nc") for case in CASES]
+# draw function; inputs that are of both states; settings
+FIGURES = {
+    6: (flanks.draw_wear, ("wear",), STATED),
+    7: (flanks.draw_growth, ("deformation",), STATED),
+    8: (excitations.draw_stiffness, MESH, STATED),
+    9: (excitations.draw_transmission_error, ("transmission_error",), STATED),
+    10: (excitations.draw_lengths, ("deformation", "transmission_error", "wear"), STATED),
+    11: (excitations.draw_backlash, ("backlash",), STATED),
+    "contact temperature": (flanks.draw_contact_temperature, ("temperature",), STATED),
+    "load sharing": (flanks.draw_load_sharing, (*MESH, "response"), STATED),
+    "mesh force": (mesh_force.draw, ("response",), STATED),
+    "wear history": (history.draw, ("wear", "transmission_error"), {"states": [WORN]}),
+}
+OF_SWEEPS = {
+    12: (bifurcation.draw, "mesh_frequency"),
+    13: (portraits.draw, "mesh_frequency"),
+    14: (portraits.draw, "mesh_frequency"),
+    15: (bifurcation.draw, "ste"),
+    16: (portraits.draw, "ste"),
+    17: (bifurcation.draw, "backlash"),
+    18: (portraits.draw, "backlash"),
+    "basins": (basin_panels.draw, "backlash"),
+}
 
-    geometry = {"geometry": str(results / "geometry.nc")}
-    of_states = {
-        6: ("plot_wear", ("wear",)),
-        7: ("plot_growth", ("deformation",)),
-        8: ("plot_stiffness", ("mesh_stiffness", "transmission_error")),
-        9: ("plot_error", ("transmission_error",)),
-        10: ("plot_growth_share", ("deformation", "transmission_error", "wear")),
-        11: ("plot_backlash", ("backlash",)),
-        "contact temperature": ("plot_contact_temperature", ("temperature",)),
-        "load sharing": ("plot_load_sharing", ("mesh_stiffness", "transmission_error", "response")),
-        "mesh force": ("plot_mesh_force", ("response",)),
-    }
-    if number in of_states:
-        script, names = of_states[number]
-        return script, geometry | {name: each(name) for name in names}, {"states": STATES}
-    if number == "study":
-        drawn = {"axes": [HEAT, AGE], "units": {HEAT: "degC", AGE: "1"}, "order": "restart"}
-        return "plot_study", {"study": str(results / "study.nc")}, drawn
-    if number == "wear history":
-        names = ("wear", "mesh_stiffness", "transmission_error")
-        return "plot_wear_history", geometry | {name: each(name) for name in names}, {"states": [WORN]}
-    if number == "exponents":
-        panels = [
-            {"sweep": sweep, "swept": SWEPT[sweep], "state": state}
-            for sweep in SWEPT
-            for state in STATES
-            if state["case"] in SWEPT[sweep]["cases"]
-        ]
-        sweeps = [str(results / f"{one['state']['case']}_{one['sweep']}_restart.nc") for one in panels]
-        return "plot_exponents", {"sweeps": sweeps}, {"panels": panels}
-    sweep = {12: "mesh_frequency", 13: "mesh_frequency", 14: "mesh_frequency", 15: "ste", 16: "ste"}.get(
-        number, "backlash"
-    )
+
+def inputs_of(results, name):
+    """Return draw function, named inputs and settings of a figure, by its number or name."""
+    if name in FIGURES:
+        draw, names, cfg = FIGURES[name]
+        files = {one: [results[f"{case}_{one}"] for case in CASES] for one in names}
+        return draw, {"geometry": results["geometry"]} | files, cfg
+    if name == "study":
+        cfg = {"axes": [HEAT, AGE], "units": {HEAT: "degC", AGE: "1"}, "order": "restart"}
+        return study_panels.draw, {"study": results["study"]}, cfg
+    if name == "exponents":
+        sweeps = [results[f"{one['state']['case']}_{one['sweep']}_restart"] for one in PANELS]
+        return exponents.draw, {"sweeps": sweeps}, {"panels": PANELS}
+    draw, sweep = OF_SWEEPS[name]
     cfg = {"sweep": sweep, "swept": SWEPT[sweep]}
-    if number in (12, 15, 17):
+    if draw is bifurcation.draw:
         states = [state for state in STATES if state["case"] in SWEPT[sweep]["cases"]]
         files = {
-            kind: [str(results / f"{state['case']}_{sweep}_{kind}.nc") for state in states]
-            for kind in (*CLASSES, "branches")
+            kind: [results[f"{state['case']}_{sweep}_{kind}"] for state in states] for kind in (*CLASSES, "branches")
         }
         claims = [str(ROOT / "config" / "paper_claims.yaml")]
-        return "plot_bifurcation", files | {"claims": claims}, cfg | {"states": states, "order": "restart"}
-    state = STATES[0 if number == 13 else 1]
-    if number == "basins":
-        return "plot_basins", {"basins": str(results / f"{state['case']}_{sweep}_basins.nc")}, cfg | {"state": state}
-    portraits = str(results / f"{state['case']}_{sweep}_portraits.nc")
-    return "plot_portraits", {"portraits": portraits}, cfg | {"state": state}
+        return draw, files | {"claims": claims}, cfg | {"states": states, "order": "restart"}
+    state = STATES[0 if name == 13 else 1]
+    kind = "basins" if name == "basins" else "portraits"
+    return draw, {kind: results[f"{state['case']}_{sweep}_{kind}"]}, cfg | {"state": state}
 
 
-def plot(results, folder, number):
-    """Run the script of a figure; return the paths of SVG and PNG."""
-    script, files, cfg = inputs_of(results, number)
+def write(results, folder, name):
+    """Draw and write a figure; return the paths of SVG and PNG."""
+    draw, files, cfg = inputs_of(results, name)
     folder.mkdir(exist_ok=True)
-    output = SimpleNamespace(svg=str(folder / "figure.svg"), png=str(folder / "figure.png"))
-    job = SimpleNamespace(rule=script, input=Files(files, style=STYLE), output=output)
-    job.params = SimpleNamespace(cfg=cfg, code="")
-    importlib.import_module(script).main(job)
-    return Path(output.svg), Path(output.png)
+    svg, png = folder / "figure.svg", folder / "figure.png"
+    sheet.write(draw, files | {"cfg": cfg}, STYLE, str(svg), str(png))
+    return svg, png
 
 
 def words_of(svg):
@@ -367,51 +367,45 @@ def assert_readable(figure):
     assert over == []
 
 
-@pytest.mark.parametrize("number", WORDS)
-def test_figure_is_written_with_its_words_legible_and_the_same_bytes_twice(results, tmp_path, monkeypatch, number):
+@pytest.mark.parametrize("name", WORDS)
+def test_figure_is_written_with_its_words_legible_and_the_same_bytes_twice(results, tmp_path, monkeypatch, name):
     sheets = []
     monkeypatch.setattr(sheet, "Figure", lambda **settings: sheets.append(Figure(**settings)) or sheets[-1])
-    svg, png = plot(results, tmp_path / "first", number)
-    again = plot(results, tmp_path / "second", number)
+    svg, png = write(results, tmp_path / "first", name)
+    again = write(results, tmp_path / "second", name)
     assert [svg.read_bytes(), png.read_bytes()] == [path.read_bytes() for path in again]
     assert png.read_bytes().startswith(b"\x89PNG")
     words = words_of(svg)
-    missing = [word for word in [*WORDS[number], "°C"] if word not in words]
+    missing = [word for word in [*WORDS[name], "°C"] if word not in words]
     assert missing == []
     assert sorted(path.name for path in svg.parent.iterdir()) == ["figure.png", "figure.svg"]
     assert_readable(sheets[0])
 
 
 def test_every_state_of_the_diagonal_is_named_with_temperature_and_cycles(results, tmp_path):
-    words = words_of(plot(results, tmp_path, 6)[0])
+    words = words_of(write(results, tmp_path, 6)[0])
     assert "20°C,unworn" in words
     assert "100°C,2.1×10⁹cycles" in words
 
 
 def test_pictures_name_their_results_but_no_date_or_software(results, tmp_path):
-    svg, png = plot(results, tmp_path, 7)
-    lineage = store.lineage(results / "with_deformation.nc")
+    svg, png = write(results, tmp_path, 7)
     for path in (svg, png):
         content = path.read_bytes()
-        assert lineage.encode() in content
+        assert b"gearwear made of with_deformation made of without_deformation made of geometry" in content
         assert b"Matplotlib v" not in content
         assert b"<dc:date>" not in content
 
 
-def test_no_file_is_left_when_a_plot_fails(results, tmp_path):
-    broken = tmp_path / "broken.nc"
-    broken.write_bytes(b"not a result")
-    script, files, cfg = inputs_of(results, 11)
-    output = SimpleNamespace(svg=str(tmp_path / "figure.svg"), png=str(tmp_path / "figure.png"))
-    job = SimpleNamespace(input=Files(files, style=STYLE, backlash=[str(broken)]), output=output)
-    job.params = SimpleNamespace(cfg=cfg)
-    with pytest.raises(ValueError, match="broken.nc"):
-        importlib.import_module(script).main(job)
-    assert [path.name for path in tmp_path.iterdir()] == ["broken.nc"]
+def test_no_file_is_left_when_a_figure_fails(results, tmp_path):
+    broken = results | {"with_backlash": xr.Dataset()}
+    with pytest.raises(KeyError):
+        write(broken, tmp_path, 11)
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_windows_of_the_paper_are_those_of_the_case():
-    windows = importlib.import_module("plot_bifurcation").windows
+    windows = bifurcation.windows
     claims = yaml.safe_load((ROOT / "config" / "paper_claims.yaml").read_text())["claims"]
     of_frequency = [list(windows(claims, "mesh_frequency", case)) for case in CASES]
     assert of_frequency[0] == of_frequency[1]
@@ -423,27 +417,26 @@ def test_windows_of_the_paper_are_those_of_the_case():
 
 
 def test_a_figure_without_portraits_is_refused_with_the_key_to_fill():
-    portraits = importlib.import_module("gearwear.figures.portraits")
-    empty = xr.Dataset(motion([1]), {"ste": ("point", [0.5])}).isel(point=[])
-    assert portraits.height(0) == portraits.height(1)
+    one = xr.Dataset(motion([1]), {"ste": ("point", [0.5])})
+    empty = one.isel(point=[])
+    assert portraits.height(empty) == portraits.height(one)
     with pytest.raises(ValueError, match="portraits.ste"):
         portraits.draw(None, empty, {"sweep": "ste"})
 
 
 def test_load_of_a_pair_is_its_share_of_every_period_and_nothing_where_the_mesh_is_open():
-    load = importlib.import_module("plot_load_sharing").dynamic_load
     geometry = xr.Dataset({"partner": ("path", [1, 0, -1])})
     stiffness = {"pair_stiffness": [3e8, 1e8, 2e8], "pair_coupling": [0.0, 0.0, 0.0]}
     transmission = {"sharing_error": [0.0, 0.0, 0.0], "load_share_path": [0.75, 0.25, 1.0]}
     made = [xr.Dataset({name: ("path", values) for name, values in one.items()}) for one in (stiffness, transmission)]
     force = ("response_period", "path"), [[4e3, 4e3, 6e3], [-8e3, 4e3, 2e3]]
     response = xr.Dataset({"mesh_force_path": force, "mean_force": 4e3})
-    assert load(geometry, *made, response).values == pytest.approx([0.375, 0.25, 1.0])
+    assert flanks.dynamic_load(geometry, *made, response).values == pytest.approx([0.375, 0.25, 1.0])
 
 
 def test_the_spectrum_is_summed_over_cells_whose_edges_meet(states, loaded):
     geometry = loaded(states("without"), "geometry")
-    nodes, phase, weight = importlib.import_module("plot_mesh_force").cells(geometry)
+    nodes, phase, weight = mesh_force.cells(geometry)
     assert geometry["path_phase"].values[nodes] == pytest.approx(phase, abs=1e-12)
     assert weight.sum() == pytest.approx(1)
     assert phase[2:-1:3] == pytest.approx(phase[3::3])

@@ -11,6 +11,8 @@ import pytest
 from gearwear.codes.onset_codes import EVENTS, MET, ORDERS, PASSED_BY, VARIANTS
 from gearwear.config import ensemble
 from gearwear.config.slices import slice_of
+from gearwear.figures import onset_shifts
+from gearwear.figures.sheet import write
 from gearwear.io import store
 
 STYLE = str(Path(__file__).resolve().parents[2] / "workflow" / "report" / "gearwear.mplstyle")
@@ -79,10 +81,9 @@ def onsets(run, states):
 def figure(shifts, folder):
     """Return the bytes of the figure as SVG and PNG."""
     folder.mkdir()
-    output = SimpleNamespace(svg=str(folder / "onsets.svg"), png=str(folder / "onsets.png"))
-    job = SimpleNamespace(rule="plot_onsets", input=Files(shifts=shifts, style=STYLE), output=output)
-    importlib.import_module("plot_onsets").main(job)
-    return [Path(path).read_bytes() for path in (output.svg, output.png)]
+    svg, png = folder / "onsets.svg", folder / "onsets.png"
+    write(onset_shifts.draw, {"shifts": store.load(shifts), "cfg": {}}, STYLE, str(svg), str(png))
+    return [path.read_bytes() for path in (svg, png)]
 
 
 def test_events_of_the_pristine_pair_are_located(onsets):

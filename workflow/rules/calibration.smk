@@ -55,28 +55,3 @@ rule calibration:
         "Computing the best candidates of the calibration in full."
     script:
         "../scripts/stage.py"
-
-
-rule plot_calibration:
-    input:
-        calibration="results/calibration/calibration.nc",
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/calibration.svg",
-            caption=caption("calibration"),
-            category="Calibration",
-            labels={"figure": "trade-off"},
-        ),
-        png="results/figures/calibration.png",
-    log:
-        "results/logs/plot_calibration.log",
-    benchmark:
-        "results/benchmarks/plot_calibration.tsv"
-    params:
-        cfg={},
-        code=code("plot_calibration.py"),
-    message:
-        "Figure: trade-off between the sweeps, and the claims of the good candidates."
-    script:
-        "../scripts/plot_calibration.py"

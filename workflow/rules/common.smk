@@ -41,9 +41,8 @@ except (
     raise WorkflowError(str(error))
 os.environ[stage.SOURCES] = digest.source_key()
 
-CODE = digest.digests(
-    map(stages.target_of, stages.MODULES), digest.memory(dict(os.environ))
-)
+MEMORY = digest.memory(dict(os.environ))
+CODE = digest.digests(map(stages.target_of, stages.MODULES), MEMORY / "stages")
 # Sweeps from rest are cut into parts where --set-scatter asks for it, as for a cluster.
 PARTS = workflow.resource_settings.overwrite_scatter.get("sweep", 1)
 
@@ -99,8 +98,6 @@ def caption(name):
 
 def code(stage):
     """The digest of the code of a stage."""
-    if stage.endswith(".py"):
-        return "0"
     return CODE[stages.target_of(stage)]
 
 

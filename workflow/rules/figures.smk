@@ -1,3 +1,7 @@
+"""Figures: a row each, and one rule made of every row."""
+
+from typing import Any, NamedTuple
+
 from gearwear.config.rules import DRAWN_PORTRAITS
 
 DIAGRAMS = {"mesh_frequency": 12, "ste": 15, "backlash": 17}
@@ -11,19 +15,19 @@ def figures():
     return [f"results/figures/fig{number:02d}.svg" for number in numbers]
 
 
+def extra_figures():
+    """The figures that the paper does not have."""
+    of_pair = ["wear_history", "contact_temperature", "load_sharing", "mesh_force"]
+    names = ["exponents"] if config["oscillators"] else [*of_pair, "exponents"]
+    return [f"results/figures/{name}.svg" for name in names]
+
+
 def portrait_figures():
     """The phase portraits that the figures of the paper do not show."""
     return [
         f"results/figures/portraits_{case}_{sweep}.svg"
         for case, sweep in listed(config["portraits"], DRAWN_PORTRAITS)
     ]
-
-
-def followed(sweep):
-    """The branches of periodic orbits along a sweep, which model torsional alone has."""
-    if config["dynamics"]["model"] != "torsional":
-        return []
-    return [f"results/{case}/branches/{sweep}.nc" for case in swept_in(sweep)]
 
 
 def basin_figures():
@@ -34,11 +38,6 @@ def basin_figures():
     ]
 
 
-def paper_windows():
-    """The file that names the windows of motion of the paper, where they are drawn."""
-    return [CLAIMS] if scorecard() else []
-
-
 def diagonal(pattern):
     """The files of `pattern` for the states of figures 6 to 11, in their order."""
     return [
@@ -47,449 +46,171 @@ def diagonal(pattern):
     ]
 
 
+def worn_states():
+    """The cases that wear, those of figures 6 to 11 first, each with its place in the order of colours."""
+    names = dict.fromkeys([*config["figures"]["diagonal"], *config["cases"]])
+    placed = [{"place": place, **drawn_state(case)} for place, case in enumerate(names)]
+    return [state for state in placed if state["cycle"]] or placed
+
+
+class Figure(NamedTuple):
+    """Name, also of its caption; draw function; input files by name; settings; category and label in the report.
+
+    Without `file`, below results and without suffix, it is figures/NAME.
+    """
+
+    name: str
+    draw: str
+    inputs: dict[str, Any]
+    cfg: Any
+    category: str
+    label: str
+    file: str = ""
+
+
+def of_states(*stages):
+    """The geometry and files of the states of figures 6 to 11, by the names of their stages."""
+    files = {"geometry": "results/geometry.nc"}
+    for stage in stages:
+        once = stage in ("temperature", "deformation")
+        name = f"{stage}.nc" if once else f"{stage}/q{{q}}.nc"
+        files[stage] = diagonal(f"results/{{case}}/{name}")
+    return files
+
+
+def of_history(*stages):
+    """The geometry and files of every wear cycle of the cases that wear, by the names of their stages."""
+    cycles = [
+        (one["case"], q) for one in worn_states() for q in range(one["cycle"] + 1)
+    ]
+    files = {
+        stage: [f"results/{case}/{stage}/q{q:03d}.nc" for case, q in cycles]
+        for stage in stages
+    }
+    return {"geometry": "results/geometry.nc", **files}
+
+
+def of_sweep(sweep):
+    """All that a diagram of a sweep shows; branches of periodic orbits has model torsional alone."""
+    cases = swept_in(sweep)
+    files = {
+        order: [f"results/{case}/sweeps/{order}/{sweep}.nc" for case in cases]
+        for order in ("restart", "up", "down")
+    }
+    followed = cases if config["dynamics"]["model"] == "torsional" else []
+    files["branches"] = [f"results/{case}/branches/{sweep}.nc" for case in followed]
+    return {**files, "claims": [CLAIMS] if scorecard() else []}
+
+
+def sweep_cfg(sweep, case=""):
+    """What a figure says of a sweep, and of one case or all that it has."""
+    if case:
+        states = {"state": drawn_state(case)}
+    else:
+        states = {
+            "order": config["sweeps"]["order"],
+            "states": [drawn_state(case) for case in swept_in(sweep)],
+        }
+    return {"sweep": sweep, "swept": swept(sweep), **states}
+
+
 def drawn_case(wildcards):
     """What a figure of one case and sweep says of both."""
+    return sweep_cfg(wildcards.sweep, wildcards.case)
+
+
+def map_state(wildcards):
+    """What the figure of a map says of it."""
+    return {"map": wildcards.map, "state": drawn_state(config["maps"]["case"])}
+
+
+def study_axes(wildcards):
+    """What the figure of a study says of its axes."""
     return {
-        "sweep": wildcards.sweep,
-        "swept": swept(wildcards.sweep),
-        "state": drawn_state(wildcards.case),
+        "axes": list(config["studies"][wildcards.study]["grid"]) or ["member"],
+        "units": units_of(wildcards.study),
+        "order": config["sweeps"]["order"],
     }
 
+# fmt: off
+STATES = {"states": drawn_states()}
+FIGURES = [
+    Figure("fig06", "flanks.draw_wear", of_states("wear"), STATES, "Flanks", "Fig. 06: wear depth"),
+    Figure("fig07", "flanks.draw_growth", of_states("deformation"), STATES, "Flanks", "Fig. 07: thermal growth"),
+    Figure("fig08", "excitations.draw_stiffness", of_states("mesh_stiffness", "transmission_error"), STATES,
+           "Excitations", "Fig. 08: mesh stiffness"),
+    Figure("fig09", "excitations.draw_transmission_error", of_states("transmission_error"), STATES,
+           "Excitations", "Fig. 09: transmission error"),
+    Figure("fig10", "excitations.draw_lengths", of_states("deformation", "transmission_error", "wear"), STATES,
+           "Excitations", "Fig. 10: growth, deflection and wear"),
+    Figure("fig11", "excitations.draw_backlash", of_states("backlash"), STATES, "Excitations", "Fig. 11: backlash"),
+    *(Figure(f"fig{number}", "bifurcation.draw", of_sweep(sweep), sweep_cfg(sweep), "Dynamics",
+             f"Fig. {number}: diagram over the {quantity}")
+      for number, sweep, quantity in ((12, "mesh_frequency", "mesh frequency"), (15, "ste", "transmission error"),
+                                      (17, "backlash", "backlash"))),
+    *(Figure(f"fig{number}", "portraits.draw", {"portraits": f"results/{case}/portraits/{sweep}.nc"},
+             sweep_cfg(sweep, case), "Dynamics", f"Fig. {number}: portraits over the {quantity}")
+      for number, case, sweep, quantity in ((13, "without", "mesh_frequency", "mesh frequency, cold"),
+                                            (14, "with", "mesh_frequency", "mesh frequency, hot and worn"),
+                                            (16, "with", "ste", "transmission error"),
+                                            (18, "with", "backlash", "backlash"))),
+    Figure("portraits", "portraits.draw", {"portraits": "results/{case}/portraits/{sweep}.nc"}, drawn_case,
+           "Dynamics", "portraits of {case} over {sweep}", "figures/portraits_{case}_{sweep}"),
+    Figure("basins", "basin_panels.draw", {"basins": "results/{case}/basins/{sweep}.nc"}, drawn_case,
+           "Dynamics", "basins of {case} over {sweep}", "figures/basins_{case}_{sweep}"),
+    Figure("wear_history", "history.draw", of_history("wear", "transmission_error"), {"states": worn_states()},
+           "Flanks", "wear history"),
+    Figure("contact_temperature", "flanks.draw_contact_temperature", of_states("temperature"), STATES,
+           "Flanks", "contact temperature"),
+    Figure("load_sharing", "flanks.draw_load_sharing",
+           of_states("mesh_stiffness", "transmission_error", "response"), STATES, "Flanks", "load sharing"),
+    Figure("mesh_force", "mesh_force.draw", of_states("response"), STATES, "Dynamics", "mesh force"),
+    Figure("exponents", "exponents.draw", {"sweeps": main_sweeps()},
+           {"panels": [sweep_cfg(sweep, case) for case, sweep in swept_cases()]}, "Dynamics", "exponents"),
+    Figure("map", "maps.draw", {"parameter_map": f"results/{config['maps']['case']}/maps/{{map}}.nc"}, map_state,
+           "Dynamics", "map {map}", "figures/map_{map}"),
+    Figure("onsets", "onset_shifts.draw", {"shifts": "results/onset_shifts.nc"}, {}, "Dynamics", "onsets"),
+    Figure("sensitivity", "tornado.draw", {"measures": "results/sensitivity.nc"}, {}, "Trust", "sensitivity"),
+    Figure("study", "study_panels.draw", {"study": "results/studies/{study}/study.nc"}, study_axes,
+           "Studies", "study {study}", "figures/study_{study}"),
+    Figure("calibration", "trade_off.draw", {"calibration": "results/calibration/calibration.nc"}, {},
+           "Calibration", "trade-off"),
+    Figure("checks", "validation_group.draw",
+           {"checks": own("config", "validation.yaml"), "found": "results/validation/{group}.csv"}, {},
+           "Validation", "{group}", "validation/{group}"),
+]
+# fmt: on
+DRAWN = digest.digests(
+    {f"figures.{figure.draw.replace('.', ':')}" for figure in FIGURES},
+    MEMORY / "figures",
+)
+for figure in FIGURES:
+    file = figure.file or f"figures/{figure.name}"
+    job = f"plot_{file.removeprefix('figures/')}"
 
-rule plot_wear:
-    input:
-        geometry="results/geometry.nc",
-        wear=diagonal("results/{case}/wear/q{q}.nc"),
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/fig06.svg",
-            caption=caption("fig06"),
-            category="Flanks",
-            labels={"figure": "Fig. 06: wear depth"},
-        ),
-        png="results/figures/fig06.png",
-    log:
-        "results/logs/plot_wear.log",
-    benchmark:
-        "results/benchmarks/plot_wear.tsv"
-    params:
-        cfg={"states": drawn_states()},
-        code=code("plot_wear.py"),
-    message:
-        "Figure 6: wear depth of both flanks."
-    script:
-        "../scripts/plot_wear.py"
-
-
-rule plot_growth:
-    input:
-        geometry="results/geometry.nc",
-        deformation=diagonal("results/{case}/deformation.nc"),
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/fig07.svg",
-            caption=caption("fig07"),
-            category="Flanks",
-            labels={"figure": "Fig. 07: thermal growth"},
-        ),
-        png="results/figures/fig07.png",
-    log:
-        "results/logs/plot_growth.log",
-    benchmark:
-        "results/benchmarks/plot_growth.tsv"
-    params:
-        cfg={"states": drawn_states()},
-        code=code("plot_growth.py"),
-    message:
-        "Figure 7: thermal growth of both flanks."
-    script:
-        "../scripts/plot_growth.py"
-
-
-rule plot_stiffness:
-    input:
-        geometry="results/geometry.nc",
-        mesh_stiffness=diagonal("results/{case}/mesh_stiffness/q{q}.nc"),
-        transmission_error=diagonal("results/{case}/transmission_error/q{q}.nc"),
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/fig08.svg",
-            caption=caption("fig08"),
-            category="Excitations",
-            labels={"figure": "Fig. 08: mesh stiffness"},
-        ),
-        png="results/figures/fig08.png",
-    log:
-        "results/logs/plot_stiffness.log",
-    benchmark:
-        "results/benchmarks/plot_stiffness.tsv"
-    params:
-        cfg={"states": drawn_states()},
-        code=code("plot_stiffness.py"),
-    message:
-        "Figure 8: mesh stiffness."
-    script:
-        "../scripts/plot_stiffness.py"
-
-
-rule plot_error:
-    input:
-        geometry="results/geometry.nc",
-        transmission_error=diagonal("results/{case}/transmission_error/q{q}.nc"),
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/fig09.svg",
-            caption=caption("fig09"),
-            category="Excitations",
-            labels={"figure": "Fig. 09: transmission error"},
-        ),
-        png="results/figures/fig09.png",
-    log:
-        "results/logs/plot_error.log",
-    benchmark:
-        "results/benchmarks/plot_error.tsv"
-    params:
-        cfg={"states": drawn_states()},
-        code=code("plot_error.py"),
-    message:
-        "Figure 9: static transmission error."
-    script:
-        "../scripts/plot_error.py"
-
-
-rule plot_growth_share:
-    input:
-        geometry="results/geometry.nc",
-        deformation=diagonal("results/{case}/deformation.nc"),
-        transmission_error=diagonal("results/{case}/transmission_error/q{q}.nc"),
-        wear=diagonal("results/{case}/wear/q{q}.nc"),
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/fig10.svg",
-            caption=caption("fig10"),
-            category="Excitations",
-            labels={"figure": "Fig. 10: growth, deflection and wear"},
-        ),
-        png="results/figures/fig10.png",
-    log:
-        "results/logs/plot_growth_share.log",
-    benchmark:
-        "results/benchmarks/plot_growth_share.tsv"
-    params:
-        cfg={"states": drawn_states()},
-        code=code("plot_growth_share.py"),
-    message:
-        "Figure 10: thermal growth, deflection and wear compared."
-    script:
-        "../scripts/plot_growth_share.py"
-
-
-rule plot_backlash:
-    input:
-        geometry="results/geometry.nc",
-        backlash=diagonal("results/{case}/backlash/q{q}.nc"),
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/fig11.svg",
-            caption=caption("fig11"),
-            category="Excitations",
-            labels={"figure": "Fig. 11: backlash"},
-        ),
-        png="results/figures/fig11.png",
-    log:
-        "results/logs/plot_backlash.log",
-    benchmark:
-        "results/benchmarks/plot_backlash.tsv"
-    params:
-        cfg={"states": drawn_states()},
-        code=code("plot_backlash.py"),
-    message:
-        "Figure 11: half backlash."
-    script:
-        "../scripts/plot_backlash.py"
-
-
-rule plot_frequency_sweep:
-    input:
-        restart=[
-            f"results/{case}/sweeps/restart/mesh_frequency.nc"
-            for case in swept_in("mesh_frequency")
-        ],
-        up=[
-            f"results/{case}/sweeps/up/mesh_frequency.nc"
-            for case in swept_in("mesh_frequency")
-        ],
-        down=[
-            f"results/{case}/sweeps/down/mesh_frequency.nc"
-            for case in swept_in("mesh_frequency")
-        ],
-        branches=followed("mesh_frequency"),
-        claims=paper_windows(),
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/fig12.svg",
-            caption=caption("fig12"),
-            category="Dynamics",
-            labels={"figure": "Fig. 12: diagram over the mesh frequency"},
-        ),
-        png="results/figures/fig12.png",
-    log:
-        "results/logs/plot_frequency_sweep.log",
-    benchmark:
-        "results/benchmarks/plot_frequency_sweep.tsv"
-    params:
-        cfg={
-            "sweep": "mesh_frequency",
-            "order": config["sweeps"]["order"],
-            "swept": swept("mesh_frequency"),
-            "states": [drawn_state(case) for case in swept_in("mesh_frequency")],
-        },
-        code=code("plot_bifurcation.py"),
-    message:
-        "Figure 12: bifurcations over the mesh frequency."
-    script:
-        "../scripts/plot_bifurcation.py"
-
-
-rule plot_portraits_cold:
-    input:
-        portraits="results/without/portraits/mesh_frequency.nc",
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/fig13.svg",
-            caption=caption("fig13"),
-            category="Dynamics",
-            labels={"figure": "Fig. 13: portraits over the mesh frequency, cold"},
-        ),
-        png="results/figures/fig13.png",
-    log:
-        "results/logs/plot_portraits_cold.log",
-    benchmark:
-        "results/benchmarks/plot_portraits_cold.tsv"
-    params:
-        cfg={
-            "sweep": "mesh_frequency",
-            "swept": swept("mesh_frequency"),
-            "state": drawn_state("without"),
-        },
-        code=code("plot_portraits.py"),
-    message:
-        "Figure 13: phase portraits over the mesh frequency, cold and unworn."
-    script:
-        "../scripts/plot_portraits.py"
-
-
-rule plot_portraits_hot:
-    input:
-        portraits="results/with/portraits/mesh_frequency.nc",
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/fig14.svg",
-            caption=caption("fig14"),
-            category="Dynamics",
-            labels={
-                "figure": "Fig. 14: portraits over the mesh frequency, hot and worn"
-            },
-        ),
-        png="results/figures/fig14.png",
-    log:
-        "results/logs/plot_portraits_hot.log",
-    benchmark:
-        "results/benchmarks/plot_portraits_hot.tsv"
-    params:
-        cfg={
-            "sweep": "mesh_frequency",
-            "swept": swept("mesh_frequency"),
-            "state": drawn_state("with"),
-        },
-        code=code("plot_portraits.py"),
-    message:
-        "Figure 14: phase portraits over the mesh frequency, hot and worn."
-    script:
-        "../scripts/plot_portraits.py"
-
-
-rule plot_ste_sweep:
-    input:
-        restart=[f"results/{case}/sweeps/restart/ste.nc" for case in swept_in("ste")],
-        up=[f"results/{case}/sweeps/up/ste.nc" for case in swept_in("ste")],
-        down=[f"results/{case}/sweeps/down/ste.nc" for case in swept_in("ste")],
-        branches=followed("ste"),
-        claims=paper_windows(),
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/fig15.svg",
-            caption=caption("fig15"),
-            category="Dynamics",
-            labels={"figure": "Fig. 15: diagram over the transmission error"},
-        ),
-        png="results/figures/fig15.png",
-    log:
-        "results/logs/plot_ste_sweep.log",
-    benchmark:
-        "results/benchmarks/plot_ste_sweep.tsv"
-    params:
-        cfg={
-            "sweep": "ste",
-            "order": config["sweeps"]["order"],
-            "swept": swept("ste"),
-            "states": [drawn_state(case) for case in swept_in("ste")],
-        },
-        code=code("plot_bifurcation.py"),
-    message:
-        "Figure 15: bifurcations over the transmission error."
-    script:
-        "../scripts/plot_bifurcation.py"
-
-
-rule plot_portraits_ste:
-    input:
-        portraits="results/with/portraits/ste.nc",
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/fig16.svg",
-            caption=caption("fig16"),
-            category="Dynamics",
-            labels={"figure": "Fig. 16: portraits over the transmission error"},
-        ),
-        png="results/figures/fig16.png",
-    log:
-        "results/logs/plot_portraits_ste.log",
-    benchmark:
-        "results/benchmarks/plot_portraits_ste.tsv"
-    params:
-        cfg={"sweep": "ste", "swept": swept("ste"), "state": drawn_state("with")},
-        code=code("plot_portraits.py"),
-    message:
-        "Figure 16: phase portraits over the transmission error."
-    script:
-        "../scripts/plot_portraits.py"
-
-
-rule plot_backlash_sweep:
-    input:
-        restart=[
-            f"results/{case}/sweeps/restart/backlash.nc"
-            for case in swept_in("backlash")
-        ],
-        up=[f"results/{case}/sweeps/up/backlash.nc" for case in swept_in("backlash")],
-        down=[
-            f"results/{case}/sweeps/down/backlash.nc" for case in swept_in("backlash")
-        ],
-        branches=followed("backlash"),
-        claims=paper_windows(),
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/fig17.svg",
-            caption=caption("fig17"),
-            category="Dynamics",
-            labels={"figure": "Fig. 17: diagram over the backlash"},
-        ),
-        png="results/figures/fig17.png",
-    log:
-        "results/logs/plot_backlash_sweep.log",
-    benchmark:
-        "results/benchmarks/plot_backlash_sweep.tsv"
-    params:
-        cfg={
-            "sweep": "backlash",
-            "order": config["sweeps"]["order"],
-            "swept": swept("backlash"),
-            "states": [drawn_state(case) for case in swept_in("backlash")],
-        },
-        code=code("plot_bifurcation.py"),
-    message:
-        "Figure 17: bifurcations over the backlash."
-    script:
-        "../scripts/plot_bifurcation.py"
-
-
-rule plot_portraits_backlash:
-    input:
-        portraits="results/with/portraits/backlash.nc",
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/fig18.svg",
-            caption=caption("fig18"),
-            category="Dynamics",
-            labels={"figure": "Fig. 18: portraits over the backlash"},
-        ),
-        png="results/figures/fig18.png",
-    log:
-        "results/logs/plot_portraits_backlash.log",
-    benchmark:
-        "results/benchmarks/plot_portraits_backlash.tsv"
-    params:
-        cfg={
-            "sweep": "backlash",
-            "swept": swept("backlash"),
-            "state": drawn_state("with"),
-        },
-        code=code("plot_portraits.py"),
-    message:
-        "Figure 18: phase portraits over the backlash."
-    script:
-        "../scripts/plot_portraits.py"
-
-
-rule plot_portraits:
-    input:
-        portraits="results/{case}/portraits/{sweep}.nc",
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/portraits_{case}_{sweep}.svg",
-            caption=caption("portraits"),
-            category="Dynamics",
-            labels={"figure": "portraits of {case} over {sweep}"},
-        ),
-        png="results/figures/portraits_{case}_{sweep}.png",
-    log:
-        "results/logs/plot_portraits/{case}_{sweep}.log",
-    benchmark:
-        "results/benchmarks/plot_portraits/{case}_{sweep}.tsv"
-    params:
-        cfg=drawn_case,
-        code=code("plot_portraits.py"),
-    message:
-        "Phase portraits, case {wildcards.case}, over {wildcards.sweep}."
-    script:
-        "../scripts/plot_portraits.py"
-
-
-rule plot_basins:
-    input:
-        basins="results/{case}/basins/{sweep}.nc",
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/basins_{case}_{sweep}.svg",
-            caption=caption("basins"),
-            category="Dynamics",
-            labels={"figure": "basins of {case} over {sweep}"},
-        ),
-        png="results/figures/basins_{case}_{sweep}.png",
-    log:
-        "results/logs/plot_basins/{case}_{sweep}.log",
-    benchmark:
-        "results/benchmarks/plot_basins/{case}_{sweep}.tsv"
-    params:
-        cfg=drawn_case,
-        code=code("plot_basins.py"),
-    message:
-        "Basins of attraction, case {wildcards.case}, over {wildcards.sweep}."
-    script:
-        "../scripts/plot_basins.py"
+    rule:
+        name:
+            f"plot_{figure.name}"
+        input:
+            **figure.inputs,
+            style=STYLE,
+        output:
+            svg=report(
+                f"results/{file}.svg",
+                caption=caption(figure.name),
+                category=figure.category,
+                labels={"figure": figure.label},
+            ),
+            png=f"results/{file}.png",
+        log:
+            f"results/logs/{job}.log",
+        benchmark:
+            f"results/benchmarks/{job}.tsv"
+        params:
+            cfg=figure.cfg,
+            draw=figure.draw,
+            code=DRAWN[f"figures.{figure.draw.replace('.', ':')}"],
+        message:
+            "Drawing {output.svg}."
+        script:
+            "../scripts/figure.py"

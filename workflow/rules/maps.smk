@@ -118,31 +118,3 @@ rule map:
         "Case {wildcards.case}: joining the tiles of the map over {wildcards.map}."
     script:
         "../scripts/stage.py"
-
-
-rule plot_map:
-    input:
-        map=f"results/{config['maps']['case']}/maps/{{map}}.nc",
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/map_{map}.svg",
-            caption=caption("map"),
-            category="Dynamics",
-            labels={"figure": "map {map}"},
-        ),
-        png="results/figures/map_{map}.png",
-    log:
-        "results/logs/plot_map_{map}.log",
-    benchmark:
-        "results/benchmarks/plot_map_{map}.tsv"
-    params:
-        cfg=lambda wildcards: {
-            "map": wildcards.map,
-            "state": drawn_state(config["maps"]["case"]),
-        },
-        code=code("plot_map.py"),
-    message:
-        "Map of the motion over mesh frequency and {wildcards.map}."
-    script:
-        "../scripts/plot_map.py"

@@ -96,28 +96,3 @@ rule onset_shifts:
         "Comparing the onsets of the cases without and with, and over the ensemble."
     script:
         "../scripts/stage.py"
-
-
-rule plot_onsets:
-    input:
-        shifts="results/onset_shifts.nc",
-        style=STYLE,
-    output:
-        svg=report(
-            "results/figures/onsets.svg",
-            caption=caption("onsets"),
-            category="Dynamics",
-            labels={"figure": "onsets"},
-        ),
-        png="results/figures/onsets.png",
-    log:
-        "results/logs/plot_onsets.log",
-    benchmark:
-        "results/benchmarks/plot_onsets.tsv"
-    params:
-        cfg={},
-        code=code("plot_onsets.py"),
-    message:
-        "Figure: shift of the onsets, its span over the ways of computing and its spread."
-    script:
-        "../scripts/plot_onsets.py"

@@ -66,29 +66,3 @@ rule validation_page:
         "Writing the table and the page of the validation."
     script:
         "../scripts/stage.py"
-
-
-rule plot_checks:
-    input:
-        checks=CHECKS,
-        found="results/validation/{group}.csv",
-        style=STYLE,
-    output:
-        svg=report(
-            "results/validation/{group}.svg",
-            caption=caption("checks"),
-            category="Validation",
-            labels={"figure": "{group}"},
-        ),
-        png="results/validation/{group}.png",
-    log:
-        "results/logs/validation/plot_{group}.log",
-    benchmark:
-        "results/benchmarks/validation/plot_{group}.tsv"
-    params:
-        cfg={},
-        code=code("plot_checks.py"),
-    message:
-        "Figure: checks of {wildcards.group}."
-    script:
-        "../scripts/plot_checks.py"

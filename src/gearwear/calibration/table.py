@@ -12,6 +12,7 @@ from gearwear.calibration.agreement import judged
 from gearwear.claims.scorecard import expectation
 from gearwear.config.calibration_parameters import NAMES, PARAMETERS
 
+STUDY = "study"  # the values of the configuration itself, computed like the best ones
 _FIGURES = "{:.6g}"
 _GOOD = 2  # claims fewer than the best candidate of the searches: still good
 

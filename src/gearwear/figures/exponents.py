@@ -13,10 +13,10 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LinearSegmentedColormap, TwoSlopeNorm
 from matplotlib.figure import Figure
 
-from gearwear.figures import sections, states, swept
-from gearwear.figures.sheet import letter
+from gearwear.figures import labels, sections
+from gearwear.figures.sheet import DOUBLE, letter, sheet
 
-LABEL = "Largest Lyapunov exponent\n(per unit of dimensionless time)"
+_LABEL = "Largest Lyapunov exponent (per unit of dimensionless time)"
 # Blue and vermilion of Okabe and Ito (2008), dark between them so that dots near zero show on white.
 _STOPS = ("#7CC4F2", "#0072B2", "#101010", "#D55E00", "#F7B267")
 _COLOURS = LinearSegmentedColormap.from_list("exponents", _STOPS).with_extremes(bad="#9A9A9A")
@@ -33,28 +33,31 @@ def norm(values: np.ndarray) -> TwoSlopeNorm:
     return TwoSlopeNorm(0.0, lowest, max(known.max(), _LEAST_SPAN))
 
 
-def draw(figure: Figure, drawn: Sequence[tuple[xr.Dataset, dict[str, Any]]]) -> None:
+def _height(sweeps: Sequence[xr.Dataset], **_) -> float:
+    return 22.0 + 58.0 * -(-len(sweeps) // 2)
+
+
+@sheet(DOUBLE, _height)
+def draw(figure: Figure, sweeps: Sequence[xr.Dataset], cfg: dict[str, Any]) -> None:
     """Draw one panel for every sweep, two in a row, all on one scale of colours.
 
     Parameters
     ----------
-    drawn : dataset of a sweep, and `sweep`, its settings `swept` and the `state`, for every panel.
+    cfg : `panels`, of every sweep `sweep`, its settings `swept` and the `state`.
     """
-    grid = figure.subplots(-(-len(drawn) // 2), 2, squeeze=False)
-    scale = norm(np.concatenate([dataset["lyapunov_exponent"].values for dataset, _ in drawn]))
-    for position, (axes, (dataset, cfg)) in enumerate(zip(grid.flat, drawn, strict=False)):
-        _draw_section(axes, dataset, cfg["sweep"], scale)
-        fixed = swept.condition(cfg["sweep"], cfg["swept"])
-        title = "\n".join(filter(None, [states.case(cfg["state"]), fixed]))
+    grid = figure.subplots(-(-len(sweeps) // 2), 2, squeeze=False)
+    scale = norm(np.concatenate([dataset["lyapunov_exponent"].values for dataset in sweeps]))
+    for position, (dataset, panel) in enumerate(zip(sweeps, cfg["panels"], strict=True)):
+        axes = grid.flat[position]
+        _draw_section(axes, dataset, panel["sweep"], scale)
+        title = labels.title(panel, panel["state"], separator="\n")
         axes.set_title(f"{letter(position)} {title}", loc="left")
-        axes.set_xlabel(fill(swept.label(cfg["sweep"], cfg["state"]), _LONGEST_LINE))
-        axes.set_ylabel(f"Section displacement over\n{swept.length_unit(cfg['sweep'], cfg['swept'])}")
-    for axes in grid.flat[len(drawn) :]:
+        axes.set_xlabel(fill(labels.sweep(panel["sweep"], panel["state"]), _LONGEST_LINE))
+        axes.set_ylabel(f"Section displacement over\n{labels.length_unit(panel['sweep'], panel['swept'])}")
+    for axes in grid.flat[len(sweeps) :]:
         axes.remove()
     key = ScalarMappable(scale, _COLOURS)
-    figure.colorbar(
-        key, ax=figure.axes, location="top", extend="min", aspect=50, shrink=0.6, label=LABEL.replace("\n", " ")
-    )
+    figure.colorbar(key, ax=figure.axes, location="top", extend="min", aspect=50, shrink=0.6, label=_LABEL)
 
 
 def _draw_section(axes: Axes, dataset: xr.Dataset, sweep: str, scale: TwoSlopeNorm) -> None:

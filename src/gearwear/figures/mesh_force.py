@@ -11,10 +11,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from gearwear.figures import legend, motion_classes, path_axis, phase_axis, states
-from gearwear.figures.sheet import letter
+from gearwear.figures import contact_axes, labels, motion_classes
+from gearwear.figures.sheet import DOUBLE, legend_above, letter, sheet
+from gearwear.oscillator.spectrum import spectrum
 
-HIGHEST = 10  # order of the mesh frequency
+_HIGHEST = 10  # order of the mesh frequency
+_EDGES = np.array([-1, 0, 1])  # of a cell, beside its midpoint along the path
+_SIMPSON = np.array([1, 4, 1]) / 6
 _LONGEST = 8  # mesh periods of a history
 _DECADES = 1e-5  # of the largest amplitude, below which nothing is shown
 _MANY_LINES = 80  # above, a spectrum is a curve
@@ -38,39 +41,60 @@ class Force(NamedTuple):
     motion: str
 
 
-def draw(figure: Figure, geometry: xr.Dataset, forces: Sequence[Force], drawn: Sequence[dict[str, Any]]) -> None:
-    """Draw the histories on the left, the spectra below each other on the right.
+def _height(response: Sequence[xr.Dataset], **_) -> float:
+    return 30.0 + 24.0 * len(response)
 
-    Parameters
-    ----------
-    geometry : dataset of the geometry stage.
-    forces, drawn : of every state.
-    """
+
+@sheet(DOUBLE, _height)
+def draw(figure: Figure, geometry: xr.Dataset, response: Sequence[xr.Dataset], cfg: dict[str, Any]) -> None:
+    """Draw the mesh force of every state, its history on the left and its spectra on the right."""
+    draw_forces(figure, geometry, [force_of(geometry, one) for one in response], cfg["states"])
+
+
+def force_of(geometry: xr.Dataset, response: xr.Dataset) -> Force:
+    """Return the mesh force of a response over mesh phase, and its spectrum."""
+    nodes, phase, weight = cells(geometry)
+    history = response["mesh_force_path"].values[:, nodes]
+    lines = spectrum(history, phase, weight, min(_HIGHEST, geometry.sizes["mesh_phase"] // 4))
+    ratio, mean = (float(response[name]) for name in ("mesh_frequency_ratio", "mean_force"))
+    return Force(phase, history, mean, *lines, ratio, motion_classes.name_of(response["motion_class"].item()))
+
+
+def cells(geometry: xr.Dataset) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return path nodes, mesh phases and weights of Simpson's rule over the cells, (3 m,) each."""
+    middle, phase, width = (geometry[name].values[:, None] for name in ("entering", "mesh_phase", "mesh_phase_width"))
+    return (middle + _EDGES).ravel(), (phase + _EDGES * width / 2).ravel(), (width * _SIMPSON).ravel()
+
+
+def draw_forces(
+    figure: Figure, geometry: xr.Dataset, forces: Sequence[Force], states: Sequence[dict[str, Any]]
+) -> None:
+    """Draw the histories on one panel, the spectra below each other."""
     grid = figure.add_gridspec(len(forces), 2)
     history = figure.add_subplot(grid[:, 0])
-    periods = min(max(phase_axis.PERIODS, *(len(force.history) for force in forces)), _LONGEST)
-    for place, (force, state) in enumerate(zip(forces, drawn, strict=True)):
+    periods = min(max(contact_axes.PERIODS, *(len(force.history) for force in forces)), _LONGEST)
+    for place, (force, state) in enumerate(zip(forces, states, strict=True)):
         time = (np.arange(periods)[:, None] + force.phase).ravel()
-        history.plot(time, 1e-3 * np.resize(force.history, time.shape), **states.line(place, state))
+        history.plot(time, 1e-3 * np.resize(force.history, time.shape), **labels.line(place, state))
     history.axhline(1e-3 * forces[0].mean, label="static", zorder=1, **_MEAN)
-    phase_axis.mark(history, geometry, periods)
+    contact_axes.mark_phase(history, geometry, periods)
     history.set_ylabel("Dynamic mesh force (kN)")
     history.set_title(f"{letter(0)} History", loc="left")
     shared = None
     largest = max(force.amplitudes.max() for force in forces)
-    for place, (force, state) in enumerate(zip(forces, drawn, strict=True)):
+    for place, (force, state) in enumerate(zip(forces, states, strict=True)):
         axes = shared = figure.add_subplot(grid[place, 1], sharex=shared, sharey=shared)
-        _draw_spectrum(axes, force, states.colour(place))
-        axes.set_title(f"{letter(place + 1)} {states.name(state)}: {motion_classes.short(force.motion)}", loc="left")
+        _draw_spectrum(axes, force, labels.colour(place))
+        axes.set_title(f"{letter(place + 1)} {labels.name(state)}: {motion_classes.short(force.motion)}", loc="left")
         axes.tick_params(labelbottom=place == len(forces) - 1)
         axes.set_yscale("log")
         axes.set_ylim(_DECADES * largest, 3 * largest)
-        axes.set_xlim(0, HIGHEST + 0.5)
-    axes.set_xticks(range(HIGHEST + 1))
+        axes.set_xlim(0, _HIGHEST + 0.5)
+    axes.set_xticks(range(_HIGHEST + 1))
     axes.set_xlabel("Order of the mesh frequency")
     lines, _ = history.get_legend_handles_labels()
     natural = Line2D([], [], label="natural frequency", **_NATURAL)
-    legend.above(figure, [*lines, natural, *path_axis.keys(with_pitch_point=False)], len(drawn))
+    legend_above(figure, [*lines, natural, *contact_axes.keys(with_pitch_point=False)], len(states))
 
 
 def _draw_spectrum(axes: Axes, force: Force, colour: str) -> None:

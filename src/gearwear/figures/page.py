@@ -10,7 +10,7 @@ import jinja2
 import numpy as np
 import xarray as xr
 
-from gearwear.figures import motion_classes, sections, states, swept
+from gearwear.figures import labels, motion_classes, sections
 from gearwear.oscillator.spectrum import spectrum
 
 HIGHEST = 10  # order of the mesh frequency
@@ -48,10 +48,10 @@ def record(panel: dict[str, Any], sweep: xr.Dataset, motions: xr.Dataset, teeth:
     return {
         "case": panel["state"]["case"],
         "sweep": name,
-        "title": states.case(panel["state"]),
-        "condition": swept.condition(name, panel["swept"]),
-        "label": swept.label(name, panel["state"]),
-        "unit": swept.length_unit(name, panel["swept"]),
+        "title": labels.case(panel["state"]),
+        "condition": labels.held(name, panel["swept"]),
+        "label": labels.sweep(name, panel["state"]),
+        "unit": labels.length_unit(name, panel["swept"]),
         "steps": steps,
         "longest": round(float(motions["orbit_period"][-1])),
         "most_dots": _MOST_DOTS,

@@ -11,19 +11,20 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from gearwear.errors import ConfigError
-from gearwear.figures import motion_classes, states, swept
-from gearwear.figures.sheet import letter
+from gearwear.figures import labels, motion_classes
+from gearwear.figures.sheet import DOUBLE, letter, sheet
 
 _MOST_COLUMNS = 4
 _ROW, _MARGIN = 42.0, 18.0  # mm
 _ORBIT, _SECTION = "#56789A", "#D55E00"
 
 
-def height(count: int) -> float:
-    """Return the height, mm, of a sheet with this number of portraits."""
-    return _MARGIN + _ROW * max(_rows(count), 1)
+def height(portraits: xr.Dataset, **_) -> float:
+    """Return the height, mm, of a sheet with these portraits."""
+    return _MARGIN + _ROW * max(_rows(portraits.sizes["point"]), 1)
 
 
+@sheet(DOUBLE, height)
 def draw(figure: Figure, portraits: xr.Dataset, cfg: dict[str, Any]) -> None:
     """Draw every portrait; the last row is centred if it is short.
 
@@ -52,18 +53,15 @@ def draw(figure: Figure, portraits: xr.Dataset, cfg: dict[str, Any]) -> None:
         motion = motion_classes.short(motion_classes.name_of(portrait["motion_class"].item()))
         axes.set_title(f"{letter(position)} {float(portrait[cfg['sweep']]):g}", loc="left")
         axes.set_title(f"{motion}, {_signed(float(portrait['lyapunov_exponent']))}", loc="right")
-    unit = swept.length_unit(cfg["sweep"], cfg["swept"])
+    unit = labels.length_unit(cfg["sweep"], cfg["swept"])
     figure.supxlabel(f"Displacement over {unit}")
     figure.supylabel(f"Velocity over {unit}\ntimes natural frequency", multialignment="center")
-    fixed = swept.condition(cfg["sweep"], cfg["swept"])
     lines = [
         Line2D([], [], color=_ORBIT, label="orbit"),
         Line2D([], [], color=_SECTION, marker="o", markersize=3, linestyle="none", label="section at pair entry"),
     ]
-    title = ", ".join(filter(None, [states.case(cfg["state"]), fixed]))
-    titles = (
-        f"{title}\nPanels: {swept.label(cfg['sweep'], cfg['state']).lower()}; motion class, largest Lyapunov exponent"
-    )
+    title, quantity = labels.title(cfg, cfg["state"]), labels.sweep(cfg["sweep"], cfg["state"]).lower()
+    titles = f"{title}\nPanels: {quantity}; motion class, largest Lyapunov exponent"
     box = figure.legend(handles=lines, title=titles, title_fontsize=7.5, loc="outside upper center", ncols=2)
     box.get_title().set_multialignment("center")
 

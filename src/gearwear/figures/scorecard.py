@@ -49,7 +49,7 @@ def page(
         groups.append({"title": title, "rows": members, "agree": _agree(members)})
     left_out = len(rows) - sum(len(group["rows"]) for group in groups)
     if left_out:
-        raise BadFile(f"claims: {left_out} belong to no group of the page; name their figures in drawing/scorecard.py")
+        raise BadFile(f"claims: {left_out} belong to no group of the page; name their figures in figures/scorecard.py")
     names = sorted({zone["name"] for row in shown for strip in row["strips"] for zone in strip["zones"]}, key=_rank)
     environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
     key = [{"name": name, "colour": motion_classes.colour(name)} for name in names]

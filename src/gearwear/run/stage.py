@@ -7,6 +7,7 @@ import os
 import sys
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
+from importlib import import_module
 from inspect import signature
 from pathlib import Path
 from typing import Any, TextIO
@@ -57,6 +58,24 @@ def run_block(job: Any) -> None:
                 files = {name: job.output[name][place] for name in names}
                 write(made, files, origin(stage.__name__, cfg, code, used))
                 available |= {name: read(file) for name, file in files.items()}
+
+
+def run_figure(job: Any) -> None:
+    """Run the job of a figure.
+
+    Parameters
+    ----------
+    job : `params.draw` is the draw function, as `module.function` of gearwear.figures; its other arguments are the
+        inputs of the rule and `params.cfg`.
+    """
+    from gearwear.figures.sheet import write as write_figure
+
+    module, function = job.params.draw.split(".")
+    with logged(job, {f"figures.{module}:{function}": job.params.code}):
+        draw = getattr(import_module(f"gearwear.figures.{module}"), function)
+        inputs = load(job, draw.sheet.variables)
+        style = str(inputs.pop("style"))
+        write_figure(draw, inputs | {"cfg": job.params.cfg}, style, job.output.svg, job.output.png)
 
 
 @contextmanager

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from matplotlib.colors import to_rgb
 
-from gearwear.figures import motion_classes, states
+from gearwear.figures import labels, motion_classes
 
 # Machado, Oliveira and Fernandes (2009), severity 1, on linear RGB.
 SIGHT = {
@@ -32,7 +32,7 @@ def lab(colour, sight):
 @pytest.mark.parametrize("sight", SIGHT)
 @pytest.mark.parametrize(
     "colours",
-    [{motion_classes.colour(name) for name in CLASSES}, {states.colour(place) for place in range(6)}],
+    [{motion_classes.colour(name) for name in CLASSES}, {labels.colour(place) for place in range(6)}],
     ids=["classes", "states"],
 )
 def test_any_two_colours_can_be_told_apart(colours, sight):

@@ -36,7 +36,7 @@ def test_a_scale_has_both_sides_even_if_the_exponents_have_one(values):
 
 def test_a_dot_for_every_mesh_period_with_the_colour_of_its_motion():
     figure = Figure()
-    exponents.draw(figure, [(sweep([-0.08, 0.04, np.nan]), PANEL)])
+    exponents.draw(figure, [sweep([-0.08, 0.04, np.nan])], {"panels": [PANEL]})
     figure.draw_without_rendering()
     endless, repeats = (one for one in figure.axes[0].collections if isinstance(one, PathCollection))
     assert np.asarray(repeats.get_offsets()).tolist() == [[0.5, 0.5]]
@@ -47,5 +47,5 @@ def test_a_dot_for_every_mesh_period_with_the_colour_of_its_motion():
 
 def test_the_grid_has_no_empty_panel():
     figure = Figure()
-    exponents.draw(figure, [(sweep([-0.08, 0.04, 0.0]), PANEL)] * 3)
+    exponents.draw(figure, [sweep([-0.08, 0.04, 0.0])] * 3, {"panels": [PANEL] * 3})
     assert len(figure.axes) == 3 + 1  # with the colour bar

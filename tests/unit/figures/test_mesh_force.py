@@ -20,7 +20,7 @@ def force(periods):
 @pytest.mark.parametrize("periods, shown", [((1,), 2), ((1, 3), 3), ((2, 240), 8)])
 def test_history_shows_whole_repetitions_up_to_eight_periods(periods, shown):
     figure = Figure()
-    mesh_force.draw(figure, GEOMETRY, [force(count) for count in periods], [STATE] * len(periods))
+    mesh_force.draw_forces(figure, GEOMETRY, [force(count) for count in periods], [STATE] * len(periods))
     history = figure.axes[0]
     assert history.get_xlim() == (0, shown)
     levels = history.lines[0].get_ydata()[::40]
@@ -29,7 +29,7 @@ def test_history_shows_whole_repetitions_up_to_eight_periods(periods, shown):
 
 def test_every_state_has_its_spectrum_and_the_natural_frequency():
     figure = Figure()
-    mesh_force.draw(figure, GEOMETRY, [force(1), force(240)], [STATE] * 2)
+    mesh_force.draw_forces(figure, GEOMETRY, [force(1), force(240)], [STATE] * 2)
     few, many = figure.axes[1:]
     assert few.lines[0].get_xdata() == [4.0, 4.0]
     assert [segment[0, 0] for segment in few.collections[0].get_segments()] == list(range(1, 11))

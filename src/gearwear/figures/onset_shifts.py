@@ -12,11 +12,9 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator, NullLocator
 
 from gearwear.config.ensemble import NOMINAL
-from gearwear.figures import legend
-from gearwear.figures.sheet import letter
+from gearwear.figures.sheet import DOUBLE, legend_above, letter, sheet
 from gearwear.onsets.shifts import drawn, span, spread
 
-HEIGHT = 82.0  # mm
 _NAMES = {
     "damping_ratio": "damping ratio",
     "bore_radius": "bore radius",
@@ -32,33 +30,38 @@ _GOLDEN = 0.6180339887  # spreads them evenly, in any number
 _ROOM = 0.08  # of the range, left and right
 
 
-def draw(figure: Figure, table: xr.Dataset) -> None:
+@sheet(DOUBLE, 82.0)
+def draw(figure: Figure, shifts: xr.Dataset, cfg: dict[str, Any]) -> None:
     """Draw a panel for every event, on one scale; rows are the study, the drawn members, and every parameter alone.
 
     Parameters
     ----------
-    table : as onsets.shifts.shifts gives it.
+    shifts : as onsets.shifts.shifts gives it.
     """
-    panels = figure.subplots(1, table.sizes["event"], sharey=True, sharex=True)
-    parameters = [str(name) for name in table["parameter"].values]
-    inside = int(drawn(table).sum())
-    low, high = _extent(table)
-    for position, (axes, event) in enumerate(zip(panels, table["event"].values, strict=True)):
+    panels = figure.subplots(1, shifts.sizes["event"], sharey=True, sharex=True)
+    parameters = [str(name) for name in shifts["parameter"].values]
+    inside = int(drawn(shifts).sum())
+    low, high = _extent(shifts)
+    for position, (axes, event) in enumerate(zip(panels, shifts["event"].values, strict=True)):
         axes.axvline(0.0, color=_INK, linewidth=0.5, dashes=(4, 2))
-        _draw_study(axes, 0, table, position)
-        _draw_members(axes, 1, table, position)
+        _draw_study(axes, 0, shifts, position)
+        _draw_members(axes, 1, shifts, position)
         for row, name in enumerate(parameters, start=2):
-            _draw_alone(axes, row, table, position, name)
+            _draw_alone(axes, row, shifts, position, name)
         axes.set_title(f"{letter(position)} {event}", loc="left")
         axes.xaxis.set_major_locator(MaxNLocator(3))
         axes.yaxis.set_minor_locator(NullLocator())
         axes.tick_params(axis="y", which="both", length=0)
     axes.set_xlim(low, high)
     axes.set_ylim(len(parameters) + 1.6, -0.6)
-    labels = ["this study", f"ensemble of {inside}", *(f"{_NAMES[name]}\n{_range(table, name)}" for name in parameters)]
+    labels = [
+        "this study",
+        f"ensemble of {inside}",
+        *(f"{_NAMES[name]}\n{_range(shifts, name)}" for name in parameters),
+    ]
     panels[0].set_yticks(range(len(labels)), labels)
     figure.supxlabel("Onset in case “with” less that in case “without”, mesh frequency over natural frequency")
-    legend.above(figure, _keys(), 5)
+    legend_above(figure, _keys(), 5)
 
 
 def _draw_study(axes: Axes, row: int, table: xr.Dataset, event: int) -> None:

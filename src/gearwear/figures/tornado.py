@@ -14,11 +14,9 @@ from matplotlib.ticker import MaxNLocator, NullLocator
 
 from gearwear.config.sensitivity_parameters import ENDS, OPTION, PLACES
 from gearwear.config.wording import listed
-from gearwear.figures import legend
-from gearwear.figures.sheet import letter
+from gearwear.figures.sheet import DOUBLE, legend_above, letter, sheet
 from gearwear.sensitivity.quantities import QUANTITIES, Quantity
 
-HEIGHT = 225.0  # mm
 _COLUMNS = 3
 _MOST_OPTIONS = 10  # rows of a panel; the smaller changes are told in words
 _LEAST = 0.01  # of the largest change of an option, for a row of its own
@@ -61,22 +59,23 @@ class Row(NamedTuple):
         return max(np.inf if np.isnan(change) else abs(change) for change, _ in self.bars)
 
 
-def draw(figure: Figure, table: xr.Dataset) -> None:
+@sheet(DOUBLE, 225.0)
+def draw(figure: Figure, measures: xr.Dataset, cfg: dict[str, Any]) -> None:
     """Draw a panel for every quantity of case `with`; above the options, below the parameters.
 
     Parameters
     ----------
-    table : as sensitivity.table.compared gives it.
+    measures : as sensitivity.table.compared gives it.
     """
     quantities = [quantity for quantity in QUANTITIES if quantity.name in _TITLES]
     panels = figure.subplots(-(-len(quantities) // _COLUMNS), _COLUMNS)
     for position, (axes, quantity) in enumerate(zip(panels.flat, quantities, strict=True)):
-        _draw_panel(axes, quantity, table)
+        _draw_panel(axes, quantity, measures)
         axes.set_title(f"{letter(position)} {_TITLES[quantity.name]}", loc="left")
-    impossible = [_label(table, int(i)) for i in np.flatnonzero(_hindered(table))]
+    impossible = [_label(measures, int(i)) for i in np.flatnonzero(_hindered(measures))]
     if impossible:
         figure.supxlabel(textwrap.fill(f"Not possible: {listed(impossible)}.", _WIDTH), fontsize=_SMALL)
-    legend.above(figure, _keys(), 3)
+    legend_above(figure, _keys(), 3)
 
 
 def options(table: xr.Dataset, quantity: Quantity) -> list[Row]:

@@ -16,7 +16,7 @@ from matplotlib.lines import Line2D
 
 from gearwear.figures import motion_classes
 from gearwear.figures.maps import edges_of
-from gearwear.figures.sheet import letter
+from gearwear.figures.sheet import DOUBLE, letter, sheet
 from gearwear.studies import wording
 from gearwear.studies.speeds import contact_limit, peak, period_one_limit
 from gearwear.studies.table import AGE
@@ -29,11 +29,11 @@ _SHADES = "viridis"  # ordered values; its light end is too faint for lines
 _LABELS = {AGE: "Revolutions, 10⁹"}
 
 
-def height(study: xr.Dataset, axes: list[str]) -> float:
-    """Return the height of the figure, mm."""
-    return _AROUND + _ROW * math.ceil((len(_facets(study, axes)[1]) + 1) / _COLUMNS)
+def _height(study: xr.Dataset, cfg: dict[str, Any]) -> float:
+    return _AROUND + _ROW * math.ceil((len(_facets(study, cfg["axes"])[1]) + 1) / _COLUMNS)
 
 
+@sheet(DOUBLE, _height)
 def draw(figure: Figure, study: xr.Dataset, cfg: dict[str, Any]) -> None:
     """Draw the panels and, last, the limits of all of them.
 

@@ -6,7 +6,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from gearwear.codes.branch_codes import FOLD, PERIOD_DOUBLING
-from gearwear.figures import branches
+from gearwear.figures import branch_lines
 
 
 @pytest.fixture
@@ -26,14 +26,14 @@ def followed():
 
 
 def test_pieces_of_one_stability_meet_at_special_points(followed):
-    pieces = [(nodes.tolist(), stability) for nodes, stability in branches.runs(followed)]
+    pieces = [(nodes.tolist(), stability) for nodes, stability in branch_lines.runs(followed)]
     assert pieces == [([0, 1, 2], "stable"), ([2, 3, 4], "unstable"), ([5, 6], "stable")]
 
 
 def test_lines_are_solid_or_dashed_and_every_iterate_is_drawn(followed):
     axes = Figure().add_subplot()
     axes.set_ylim(0.0, 2.0)
-    branches.draw(axes, "ste", followed)
+    branch_lines.draw(axes, "ste", followed)
     lines = [line for line in axes.lines if line.get_marker() == "None" and len(line.get_xdata())]
     assert [line.is_dashed() for line in lines] == [False, True, False, False]
     assert lines[2].get_ydata().tolist() == [0.0, 0.5] and lines[3].get_ydata().tolist() == [0.0, -9.0]
@@ -47,7 +47,7 @@ def test_special_points_have_their_value_beside_them_where_there_is_room(followe
     followed["branch_displacement"].values[5] = 1.8, np.nan
     axes = Figure().add_subplot()
     axes.set_ylim(0.0, 2.0)
-    branches.draw(axes, "ste", followed)
+    branch_lines.draw(axes, "ste", followed)
     assert [text.get_text() for text in axes.texts] == ["0.200", "0.500", "0.500", "1.000"]
     assert [text.xy for text in axes.texts] == [(0.2, 1.8), (0.5, 1.2), (0.5, 1.6), (1.0, 1.4)]
 
@@ -55,19 +55,19 @@ def test_special_points_have_their_value_beside_them_where_there_is_room(followe
 def test_far_orbits_do_not_squeeze_the_diagram(followed):
     axes = Figure().add_subplot()
     axes.set_ylim(0.0, 2.0)
-    branches.draw(axes, "ste", followed)
+    branch_lines.draw(axes, "ste", followed)
     low, high = axes.get_ylim()
     assert -0.6 < low < 0 and high == 2.0
 
 
 def test_legend_names_what_is_drawn():
-    labels = [key.get_label() for key in branches.keys({0, FOLD, PERIOD_DOUBLING}, True)]
+    labels = [key.get_label() for key in branch_lines.keys({0, FOLD, PERIOD_DOUBLING}, True)]
     assert labels == ["stable orbits", "unstable orbits", "fold", "period doubling"]
-    assert branches.keys({0}, False) == []
+    assert branch_lines.keys({0}, False) == []
 
 
 def test_nothing_followed_draws_nothing(followed):
     axes = Figure().add_subplot()
     limits = axes.get_ylim()
-    branches.draw(axes, "ste", followed.isel(node=[], branch=[]))
+    branch_lines.draw(axes, "ste", followed.isel(node=[], branch=[]))
     assert axes.get_ylim() == limits

@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from matplotlib.figure import Figure
 
-from gearwear.figures import sensitivity
+from gearwear.figures import tornado
 from gearwear.sensitivity.quantities import Quantity
 
 NAN = np.nan
@@ -50,19 +50,19 @@ def table():
 
 
 def test_options_come_by_size_and_without_those_that_cannot_be(table):
-    rows = sensitivity.options(table, STIFFNESS)
+    rows = tornado.options(table, STIFFNESS)
     assert [row.label for row in rows] == ["heat hub solid shaft", "heat growth consistent"]
     assert [row.bars[0][0] for row in rows] == pytest.approx([-0.1, 0.01])
 
 
 def test_a_quantity_that_lacks_comes_first(table):
-    rows = sensitivity.options(table, CHAOS)
+    rows = tornado.options(table, CHAOS)
     assert [row.label for row in rows] == ["heat growth consistent", "heat hub solid shaft"]
     assert np.isinf(rows[0].size) and rows[1].size == 0
 
 
 def test_parameters_have_both_ends_in_one_row(table):
-    rows = sensitivity.parameters(table, CHAOS)
+    rows = tornado.parameters(table, CHAOS)
     assert [row.label for row in rows] == ["damping ratio", "pinion torque"]
     assert [change for change, _ in rows[0].bars] == pytest.approx([-0.1, 0.05])
     assert len(rows[1].bars) == 1
@@ -70,13 +70,13 @@ def test_parameters_have_both_ends_in_one_row(table):
 
 def test_an_end_that_cannot_be_has_no_bar(table):
     table["hindrance"][list(MEMBERS).index("damping_ratio_low"), 1] = "too little"
-    rows = sensitivity.parameters(table, CHAOS)
+    rows = tornado.parameters(table, CHAOS)
     assert [len(row.bars) for row in rows if row.label == "damping ratio"] == [1]
 
 
 def test_panels_say_what_lacks_and_what_cannot_be(table):
     figure = Figure(layout="constrained")
-    sensitivity.draw(figure, table)
+    tornado.draw(figure, table, {})
     panels = {axes.get_title(loc="left")[4:]: axes for axes in figure.axes}
     assert len(panels) == 9
     words = [text.get_text() for text in panels["onset of chaos"].texts]
@@ -88,16 +88,16 @@ def test_panels_say_what_lacks_and_what_cannot_be(table):
 
 
 def test_small_changes_of_options_are_told_in_words(table, monkeypatch):
-    monkeypatch.setattr(sensitivity, "_MOST_OPTIONS", 1)
+    monkeypatch.setattr(tornado, "_MOST_OPTIONS", 1)
     figure = Figure(layout="constrained")
-    sensitivity.draw(figure, table)
+    tornado.draw(figure, table, {})
     assert [text.get_text() for text in figure.axes[0].texts] == ["1 more, at most 1 %"]
 
 
 def test_a_study_without_the_quantity_has_no_bars(table):
     table["chaos_onset"][0] = NAN
     figure = Figure(layout="constrained")
-    sensitivity.draw(figure, table)
+    tornado.draw(figure, table, {})
     panels = {axes.get_title(loc="left")[4:]: axes for axes in figure.axes}
     assert [text.get_text() for text in panels["onset of chaos"].texts] == ["the study has none"]
     assert not panels["onset of chaos"].patches

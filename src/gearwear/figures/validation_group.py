@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -10,8 +11,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 
-from gearwear.figures.sheet import DOUBLE, letter
-from gearwear.validation.outcomes import Outcome
+from gearwear.figures.sheet import DOUBLE, letter, sheet
+from gearwear.validation.checks import read
+from gearwear.validation.outcomes import Outcome, merged, read_rows
 
 # Okabe and Ito (2008), safe for colour-blind readers; what differs has another mark, too.
 _AGREES, _DIFFERS, _BAND = "#0072B2", "#D55E00", "#E6EEF4"
@@ -39,7 +41,27 @@ def height(outcomes: Sequence[Outcome]) -> float:
     return _TOP + _ROW * len(outcomes) + _BOTTOM + lines * (_TOP + _PANEL + _BOTTOM)
 
 
-def draw(figure: Figure, outcomes: Sequence[Outcome]) -> None:
+def _height(checks: str, found: str, **_) -> float:
+    return height(_outcomes(checks, found))
+
+
+@sheet(DOUBLE, _height, layout=None)
+def draw(figure: Figure, checks: str, found: str, cfg: dict[str, Any]) -> None:
+    """Draw the group of checks whose numbers are in the CSV file `found`.
+
+    Parameters
+    ----------
+    checks, found : paths of all checks (YAML) and of what was found for those of the group (CSV).
+    """
+    draw_outcomes(figure, _outcomes(checks, found))
+
+
+@lru_cache(1)
+def _outcomes(checks: str, found: str) -> list[Outcome]:
+    return merged(read(checks), read_rows(found))
+
+
+def draw_outcomes(figure: Figure, outcomes: Sequence[Outcome]) -> None:
     """Draw a row for every check, below them a panel for every name of a panel; `height` high and DOUBLE wide."""
     total, panels = height(outcomes), _panels(outcomes)
     rows = _ROW * len(outcomes)

@@ -11,13 +11,10 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from gearwear.calibration.table import good
-from gearwear.calibration.verdict import STUDY
+from gearwear.calibration.table import STUDY, good
 from gearwear.config.key_types import SWEEPS
-from gearwear.figures import legend
-from gearwear.figures.sheet import letter
+from gearwear.figures.sheet import DOUBLE, legend_above, letter, sheet
 
-HEIGHT = 130.0  # mm
 _PAIRS = ((0, 1), (0, 2), (1, 2))  # of SWEEPS
 _NAMES = {"mesh_frequency": "mesh frequency", "ste": "STE", "backlash": "backlash"}
 # Okabe and Ito (2008), safe for colour-blind readers.
@@ -26,21 +23,22 @@ _CLOUD, _INK = "#9AA5B1", "#000000"
 _LARGEST = 60.0  # area of the circle with most candidates, points squared
 
 
-def draw(figure: Figure, found: xr.Dataset) -> None:
+@sheet(DOUBLE, 130.0)
+def draw(figure: Figure, calibration: xr.Dataset, cfg: dict[str, Any]) -> None:
     """Draw three panels of agreements, sweep against sweep, and below them a bar for every claim.
 
     Parameters
     ----------
-    found : as calibration.verdict.compared gives it.
+    calibration : as calibration.verdict.compared gives it.
     """
     grid = figure.add_gridspec(2, 3, height_ratios=(1.0, 0.9))
-    full = _members(found)
+    full = _members(calibration)
     for position, (across, up) in enumerate(_PAIRS):
         axes = figure.add_subplot(grid[0, position])
-        _trade(axes, found, full, across, up)
+        _trade(axes, calibration, full, across, up)
         axes.set_title(letter(position), loc="left")
-    _bars(figure.add_subplot(grid[1, :]), found)
-    legend.above(figure, _keys(), 4)
+    _bars(figure.add_subplot(grid[1, :]), calibration)
+    legend_above(figure, _keys(), 4)
 
 
 def _members(found: xr.Dataset) -> np.ndarray:

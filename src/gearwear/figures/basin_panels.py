@@ -13,8 +13,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from gearwear.figures import motion_classes, states, swept
-from gearwear.figures.sheet import DOUBLE, letter
+from gearwear.figures import labels, motion_classes
+from gearwear.figures.sheet import DOUBLE, letter, sheet
 
 _MOST_COLUMNS = 3
 # mm: margins, sides of a panel, gap between panels, height of tick labels, of a line and of a panel's title
@@ -27,14 +27,15 @@ _DARKER = 0.55  # of the colour of its basin, the ink of a chaotic section
 _SIZES, _HALO = (0.8, 3.4), 1.6  # of the dots of a section, and what their white rims add
 
 
-def height(basins: xr.Dataset) -> float:
+def height(basins: xr.Dataset, **_) -> float:
     """Return the height, mm, of a sheet with these basins."""
     rows = -(-max(basins.sizes["point"], 1) // _MOST_COLUMNS)
     return _TOP + _BOTTOM + rows * (_TITLE + _PANEL + _below(basins))
 
 
+@sheet(DOUBLE, height, layout=None)
 def draw(figure: Figure, basins: xr.Dataset, cfg: dict[str, Any]) -> None:
-    """Draw the basins at every point, on a sheet two columns wide without a layout engine.
+    """Draw the basins at every point.
 
     Parameters
     ----------
@@ -52,14 +53,12 @@ def draw(figure: Figure, basins: xr.Dataset, cfg: dict[str, Any]) -> None:
         _draw_panel(axes, basins.isel(point=position), f"{letter(position)} {float(basins[cfg['sweep']][position]):g}")
         if column:
             axes.tick_params(labelleft=False)
-    unit = swept.length_unit(cfg["sweep"], cfg["swept"])
+    unit = labels.length_unit(cfg["sweep"], cfg["swept"])
     figure.supxlabel(f"Initial displacement over {unit}", y=1.0 / total, va="bottom")
     words = f"Initial velocity over {unit}\ntimes natural frequency"
     figure.supylabel(words, x=(begin - 8.5) / DOUBLE, ha="right", multialignment="center")
-    title = ", ".join(filter(None, [states.case(cfg["state"]), swept.condition(cfg["sweep"], cfg["swept"])]))
-    words = (
-        f"{title}\nPanels: {swept.label(cfg['sweep'], cfg['state']).lower()}; below: shares of the cells of the slice"
-    )
+    title, quantity = labels.title(cfg, cfg["state"]), labels.sweep(cfg["sweep"], cfg["state"]).lower()
+    words = f"{title}\nPanels: {quantity}; below: shares of the cells of the slice"
     figure.suptitle(words, y=1 - 1.0 / total, va="top", fontsize=7.5)
 
 

@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from matplotlib.figure import Figure
 
-from gearwear.figures import orders
+from gearwear.figures import sections
 
 VALUES = np.array([1.0, 2.0, 3.0, 4.0, 5.0])
 
@@ -30,13 +30,13 @@ def sweeps():
 
 
 def test_ranges_end_midway_between_points(sweeps):
-    assert orders.ranges(VALUES, sweeps) == [(1.5, 3.5), (4.5, 5.0)]
-    assert orders.ranges(VALUES, sweeps | {"down": sweeps["up"]}) == []
+    assert sections.differing_ranges(VALUES, sweeps) == [(1.5, 3.5), (4.5, 5.0)]
+    assert sections.differing_ranges(VALUES, sweeps | {"down": sweeps["up"]}) == []
 
 
 def test_both_motions_are_drawn_where_they_differ_and_nowhere_else(sweeps):
     axes = Figure().add_subplot()
-    orders.draw(axes, VALUES, sweeps)
+    sections.draw_both(axes, VALUES, sweeps)
     dots = {(line.get_marker(), *point) for line in axes.lines for point in zip(*line.get_data(), strict=True)}
     assert dots == {("^", 2, 0), ("^", 3, 0), ("^", 5, 0), ("v", 2, 1), ("v", 3, 1), ("v", 5, 0)}
     up, down = (next(line for line in axes.lines if line.get_marker() == marker) for marker in "^v")
@@ -44,6 +44,6 @@ def test_both_motions_are_drawn_where_they_differ_and_nowhere_else(sweeps):
 
 
 def test_legend_names_up_and_down_only_where_they_are_drawn():
-    assert [key.get_label() for key in orders.keys("down", False)] == ["section, downwards"]
-    words = [key.get_label() for key in orders.keys("restart", True)]
+    assert [key.get_label() for key in sections.keys("down", False)] == ["section, downwards"]
+    words = [key.get_label() for key in sections.keys("restart", True)]
     assert words == ["section, from rest", "upwards", "downwards", "up and down differ"]

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from gearwear.figures import validation, validation_page
+from gearwear.figures import validation_group, validation_page
 from gearwear.validation.checks import Check
 from gearwear.validation.outcomes import Outcome
 
@@ -16,8 +16,8 @@ CURVE = PLAIN._replace(id="two", along="points", at=("4", "8"), expected=(0.0, 0
 
 
 def drawn(*outcomes):
-    figure = Figure(figsize=(175 / 25.4, validation.height(outcomes) / 25.4))
-    validation.draw(figure, outcomes)
+    figure = Figure(figsize=(175 / 25.4, validation_group.height(outcomes) / 25.4))
+    validation_group.draw_outcomes(figure, outcomes)
     return figure.axes
 
 

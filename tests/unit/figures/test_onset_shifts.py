@@ -6,7 +6,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from gearwear.codes.onset_codes import ERRORS, EVENTS, RESOLUTION
-from gearwear.figures import onsets
+from gearwear.figures import onset_shifts
 
 NAN = np.nan
 MEMBERS = ("damping_ratio_low", "damping_ratio_high", "box_001", "box_002", "box_003")
@@ -40,7 +40,7 @@ def table():
 @pytest.fixture
 def panels(table):
     figure = Figure(layout="constrained")
-    onsets.draw(figure, table)
+    onset_shifts.draw(figure, table, {})
     return figure.axes
 
 
@@ -88,5 +88,5 @@ def test_all_panels_share_one_scale_that_holds_everything(panels):
 
 def test_an_ensemble_without_drawn_members_says_so(table):
     figure = Figure(layout="constrained")
-    onsets.draw(figure, table.isel(member=[0, 1]))
+    onset_shifts.draw(figure, table.isel(member=[0, 1]), {})
     assert words(figure.axes[0]) == ["no members"]
