@@ -25,7 +25,7 @@ configfile: HERE / "config" / "config.yaml"
 configfile: HERE / "config" / "studies" / "life.yaml"
 
 
-report: "workflow/report/study.rst"
+report: "workflow/report/report.rst"
 
 
 include: "workflow/rules/common.smk"
