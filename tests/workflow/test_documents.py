@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+import gearwear
+
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = [*sorted(ROOT.glob("*.md")), ROOT / "config" / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 FOLDERS = {"workflow", "config", "docs", "tests", "profiles", "examples", "benchmarks", ".ci"}
@@ -50,3 +52,9 @@ def test_every_file_of_the_program_that_is_named_exists(document):
 
 def test_anchors_are_those_of_headings():
     assert anchors("# A b\n## Two: (c), d\n```\n# not\n```\n## A b\n") == ["a-b", "two-c-d", "a-b-1"]
+
+
+@pytest.mark.parametrize("name", ["CHANGELOG.md", "CITATION.cff", "codemeta.json"])
+def test_the_version_is_that_of_the_package(name):
+    versions = re.findall(r"^(?:## \[|version: |  \"version\": \")([\d.]+)", (ROOT / name).read_text(), re.MULTILINE)
+    assert versions[0] == gearwear.__version__
