@@ -1,6 +1,7 @@
 """Nonlinear dynamics of a spur gear pair with tooth contact temperature and dynamic wear."""
 
 import gc
+import os
 import sys
 from pathlib import Path
 
@@ -16,9 +17,16 @@ from gearwear.run import help as targets
 HERE = Path(workflow.current_basedir.get_path_or_uri(secret_free=True))
 
 # Before anything is read or locked: help works beside a run and with a wrong configuration.
-if workflow.is_main_process and targets.asked(sys.argv[1:]):
+if workflow.is_main_process and targets.asked(sys.argv[1:], "help"):
     print(targets.page(HERE / "Snakefile"))
     sys.exit()
+
+# Another configuration in a folder of its own, so that it works beside any other run.
+if workflow.is_main_process and targets.asked(sys.argv[1:], "smoke"):
+    words = ["all" if word == "smoke" else word for word in sys.argv[1:]]
+    overlay = [HERE / "config" / "config.yaml", HERE / "config" / "smoke.yaml"]
+    command = [sys.executable, "-m", "snakemake", *words, "--snakefile", HERE / "Snakefile"]
+    os.execv(sys.executable, [*command, "--directory", "smoke", "--configfile", *overlay])
 
 
 configfile: HERE / "config" / "config.yaml"
@@ -130,6 +138,17 @@ rule page:
         "results/page.html",
 
 
+rule smoke:
+    """The study with short wear histories, sweeps and grids, in the folder smoke beside any other run: a first look.
+    Cost: 107 jobs, 3 minutes of one core."""
+    localrule: True
+
+
 rule help:
     """This list."""
     localrule: True
+
+
+onsuccess:
+    if workflow.is_main_process and Path("results/figures").is_dir():
+        print("Figures:", Path("results/figures").resolve())

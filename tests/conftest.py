@@ -30,7 +30,7 @@ class Project:
     def __init__(self, folder: Path, source: Path = ROOT, results: tuple[str, ...] = ()):
         self.folder = folder
         self.printed = ""
-        for name in ("Snakefile", "workflow", "config", "profiles", *results):
+        for name in ("Snakefile", "src", "workflow", "config", "profiles", *results):
             copy = shutil.copytree if (source / name).is_dir() else shutil.copy
             copy(source / name, folder / name)
 
@@ -42,7 +42,7 @@ class Project:
 
     def started(self, *arguments: str, cwd: Path | None = None, **variables: str) -> subprocess.Popen:
         """Start snakemake in the copy, in a session of its own, with variables added to the environment."""
-        environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}
+        environment = dict(os.environ) | {"PYTHONPATH": str(self.folder / "src")}
         return subprocess.Popen(
             [sys.executable, "-m", "snakemake", *arguments],
             cwd=cwd or self.folder,

@@ -1,20 +1,14 @@
-"""The documents: links lead somewhere, files that are named exist, words are spelled as in Britain."""
+"""The documents: links lead somewhere, files that are named exist."""
 
 import re
-import subprocess
-import sys
 from pathlib import Path
 
-import codespell_lib
 import pytest
 
+import gearwear
+
 ROOT = Path(__file__).resolve().parents[2]
-DOCUMENTS = [ROOT / name for name in ("README.md", "SECURITY.md", "config/README.md")] + sorted(
-    (ROOT / "docs").glob("*.md")
-)
-PROSE = ("README.md", "SECURITY.md", "docs", "config", "examples", "workflow/report", "run")
-TERMS = "tests/workflow/field_terms.txt"  # of gears and oscillators, as they are misspelled
-ALSO_BRITISH = "program,math,optimize"  # of a computer; of journals and libraries
+DOCUMENTS = [*sorted(ROOT.glob("*.md")), ROOT / "config" / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 FOLDERS = {"workflow", "config", "docs", "tests", "profiles", "examples", "benchmarks", ".ci"}
 
 
@@ -60,29 +54,7 @@ def test_anchors_are_those_of_headings():
     assert anchors("# A b\n## Two: (c), d\n```\n# not\n```\n## A b\n") == ["a-b", "two-c-d", "a-b-1"]
 
 
-def misspelled(*arguments):
-    run = subprocess.run([sys.executable, "-m", "codespell_lib", *arguments], cwd=ROOT, capture_output=True, text=True)
-    assert run.returncode in (0, 65) and not run.stderr, run.stderr
-    return run.stdout
-
-
-def test_words_and_terms_of_the_field_are_spelled():
-    everything = (*PROSE, "workflow", "tests", "benchmarks", "Snakefile")
-    assert not misspelled("-D", "-", "-D", TERMS, *everything)
-
-
-def test_prose_is_british(tmp_path):
-    """The dictionary of codespell leads from British to American words; here it is read backwards."""
-    pairs = (Path(codespell_lib.__file__).parent / "data" / "dictionary_en-GB_to_en-US.txt").read_text().split()
-    backwards = tmp_path / "british.txt"
-    backwards.write_text(
-        "".join(f"{american}->{british}\n" for british, american in (pair.split("->") for pair in pairs))
-    )
-    assert not misspelled("-D", str(backwards), "-L", ALSO_BRITISH, "-S", "*.j2,*.js", *PROSE)
-    (tmp_path / "text.md").write_text("The color at the center.")
-    assert misspelled("-D", str(backwards), str(tmp_path)).count("==>") == 2
-
-
-def test_a_misspelled_term_is_found(tmp_path):
-    (tmp_path / "text.md").write_text("The hertian pressure of an involut, recieved.")
-    assert misspelled("-D", "-", "-D", TERMS, str(tmp_path)).count("==>") == 3
+@pytest.mark.parametrize("name", ["CHANGELOG.md", "CITATION.cff", "codemeta.json"])
+def test_the_version_is_that_of_the_package(name):
+    versions = re.findall(r"^(?:## \[|version: |  \"version\": \")([\d.]+)", (ROOT / name).read_text(), re.MULTILINE)
+    assert versions[0] == gearwear.__version__

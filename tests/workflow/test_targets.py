@@ -38,6 +38,17 @@ def test_help_works_beside_a_run_and_with_a_wrong_configuration(make_project):
     assert not (project.folder / "results").exists()
 
 
+def test_smoke_works_beside_a_run_in_a_folder_of_its_own(make_project):
+    project = make_project("smoke_target")
+    (project.folder / ".snakemake").mkdir()
+    with open(project.folder / ".snakemake" / "run.lock", "w") as held:
+        fcntl.flock(held, fcntl.LOCK_EX)
+        run = project.snakemake("-j2", "smoke", "--until=temperature")
+    assert run.returncode == 0, run.stdout
+    assert (project.folder / "smoke" / "results" / "with" / "temperature.nc").exists()
+    assert not (project.folder / "results").exists()
+
+
 @pytest.mark.parametrize(
     ("arguments", "asked"),
     [
@@ -51,4 +62,4 @@ def test_help_works_beside_a_run_and_with_a_wrong_configuration(make_project):
     ],
 )
 def test_help_is_asked_for_alone(arguments, asked):
-    assert help.asked(arguments) is asked
+    assert help.asked(arguments, "help") is asked

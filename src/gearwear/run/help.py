@@ -47,6 +47,6 @@ def page(snakefile: Path) -> str:
     return _HEAD + "\n".join(lines) + "\n" + _FOOT
 
 
-def asked(arguments: list[str]) -> bool:
-    """Return whether a command line of snakemake asks for the target `help` and for nothing else."""
-    return [word for word in arguments if not re.fullmatch(r"-.*|\d+", word)] == ["help"]
+def asked(arguments: list[str], target: str) -> bool:
+    """Return whether a command line of snakemake asks for one target and for nothing else."""
+    return [word for word in arguments if not re.fullmatch(r"-.*|\d+", word)] == [target]
