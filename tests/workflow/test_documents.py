@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 DOCUMENTS = [ROOT / name for name in ("README.md", "SECURITY.md", "config/README.md")] + sorted(
-    (ROOT / "docs").glob("*.md")
+    path for path in (ROOT / "docs").rglob("*.md") if not {"generated", "_build"} & set(path.parts)
 )
 PROSE = ("README.md", "SECURITY.md", "docs", "config", "examples", "workflow/report", "run")
 TERMS = "tests/workflow/field_terms.txt"  # of gears and oscillators, as they are misspelled

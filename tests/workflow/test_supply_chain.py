@@ -129,7 +129,7 @@ def test_the_lock_holds_what_is_asked_for():
     assert asked <= locked
 
 
-@pytest.mark.parametrize("name", ["run", "Containerfile", "docs/cluster.md"])
+@pytest.mark.parametrize("name", ["run", "Containerfile", "docs/how-to/cluster.md"])
 def test_what_is_installed_is_checked_against_its_hash(name):
     text = (ROOT / name).read_text(encoding="utf-8")
     installs = [line for line in text.splitlines() if "pip install" in line and "install -q uv" not in line]
