@@ -38,22 +38,18 @@ ARROWS = [
 def arrow(axes, points: list[tuple[float, float]]) -> None:
     """Draw straight lines through the points, with a head at the last."""
     for start, end in zip(points[:-2], points[1:-1], strict=True):
-        axes.plot(*zip(start, end, strict=True), color="black", linewidth=1, solid_capstyle="projecting")
-    axes.add_patch(
-        FancyArrowPatch(*points[-2:], arrowstyle="-|>", mutation_scale=10, shrinkA=0, shrinkB=0, color="black")
-    )
+        axes.plot(*zip(start, end, strict=True), c="black", linewidth=1, solid_capstyle="projecting")
+    axes.add_patch(FancyArrowPatch(*points[-2:], arrowstyle="-|>", mutation_scale=10, shrinkA=0, shrinkB=0, fc="black"))
 
 
 def draw() -> plt.Figure:
     figure, axes = plt.subplots(figsize=(8.9, 4.9), layout="constrained")
-    loop = FancyBboxPatch((2.15, 1.75), 6.9, 1.75, boxstyle="round,pad=0.05", facecolor="#fdf3ea", edgecolor=ORANGE)
+    loop = FancyBboxPatch((2.15, 1.75), 6.9, 1.75, boxstyle="round,pad=0.05", fc="#fdf3ea", ec=ORANGE)
     axes.add_patch(loop)
-    axes.text(4.4, 3.3, "every wear cycle q", color=ORANGE, fontsize=9, style="italic", va="center")
+    axes.text(4.4, 3.3, "every wear cycle q", c=ORANGE, fontsize=9, style="italic", va="center")
     for (x, y), text, colour in BOXES.values():
         corner = (x - WIDTH / 2, y - HEIGHT / 2)
-        axes.add_patch(
-            FancyBboxPatch(corner, WIDTH, HEIGHT, boxstyle="round,pad=0.04", facecolor="white", edgecolor=colour)
-        )
+        axes.add_patch(FancyBboxPatch(corner, WIDTH, HEIGHT, boxstyle="round,pad=0.04", fc="white", ec=colour))
         axes.text(x, y, text, ha="center", va="center", fontsize=9)
     reach = WIDTH / 2 + 0.05
     for start, end in ARROWS:

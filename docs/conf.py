@@ -52,7 +52,7 @@ autodoc_default_options = {"members": True, "member-order": "bysource"}
 autodoc_typehints = "none"
 numpydoc_show_class_members = False
 
-PUBLIC = ["gearwear", "gearwear.compare"]
+PUBLIC = ["gearwear", "gearwear.compare", "gearwear.errors"]
 PUBLIC_PACKAGES = ["geometry", "contact", "heat", "mesh", "wear", "oscillator", "integrate", "motions", "orbits"]
 
 
@@ -103,17 +103,19 @@ def write_generated() -> None:
 
 
 def literal_signs(app, what, name, obj, options, lines: list[str]) -> None:
-    """Keep |x| and (*points, 2) of a docstring as they are, and let the list of fields of a tuple be one."""
+    """Show signs such as |x| and (*points, 2) of a docstring as they are, and the fields of a named tuple as a list."""
     if isinstance(obj, type) and issubclass(obj, tuple) and "Attributes" not in lines:
         fields = [number for number, line in enumerate(lines) if re.match(r"[a-z_0-9]+(, [a-z_0-9.]+)* : ", line)]
         if fields:
             lines[fields[0] : fields[0]] = ["Attributes", "----------"]
     lines[:] = [re.sub(r"(?<!\*)\*(?!\*)|\|", r"\\\g<0>", line) for line in lines]
+    lines[:] = [re.sub(r"^( *)(\w\.)$", r"\1\\\2", line) for line in lines]  # "m." is a unit, no item of a list
 
 
 def skip_aliases(app, what, name, obj, skip, options) -> bool | None:
     """Leave out the fields of named tuples, which the docstring of the class describes."""
-    return True if (getattr(obj, "__doc__", None) or "").startswith("Alias for field number") else None
+    alias = (getattr(obj, "__doc__", None) or "").startswith("Alias for field number")
+    return True if alias or name == "__version__" else None
 
 
 def setup(app) -> None:
