@@ -73,7 +73,9 @@ def api_page() -> str:
     sections |= {name.capitalize(): public_modules(f"gearwear.{name}") for name in PUBLIC_PACKAGES}
     page = ["# Public API", ""]
     for title, modules in sections.items():
-        page += [f"## {title}", "", "```{eval-rst}", ".. autosummary::", "   :toctree: api", ""]
+        package = importlib.import_module(f"gearwear.{title.lower()}") if title != "Main modules" else None
+        page += [f"## {title}", "", *([package.__doc__, ""] if package else [])]
+        page += ["```{eval-rst}", ".. autosummary::", "   :toctree: api", ""]
         page += [f"   {module}" for module in modules] + ["```", ""]
     return "\n".join(page)
 
