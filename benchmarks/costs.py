@@ -2,7 +2,7 @@
 
     python benchmarks/costs.py [FOLDER...]    folders that hold results/, this one if none is named
 
-The resources in profiles/slurm/config.yaml come from this table; docs/cluster.md says how.
+The resources in profiles/slurm/config.yaml come from this table; docs/how-to/cluster.md says how.
 """
 
 import csv

@@ -10,7 +10,7 @@ import numpy as np
 import pandas as pd
 import ross
 
-BEARING = 1e13  # N/m, all but rigid: two in series with the mesh lower its frequency by k_m / BEARING
+BEARING = 1e13  # N/m, nearly rigid: two in series with the mesh lower its frequency by k_m / BEARING
 SHAFT = ross.Material("light_steel", rho=1.0, E=2.1e11, G_s=8e10)  # no inertia but that of the gears
 STEEL = 7850.0  # kg/m3; the mass of a gear body moves nothing while its bearings are rigid
 

@@ -8,7 +8,11 @@ import pytest
 import gearwear
 
 ROOT = Path(__file__).resolve().parents[2]
-DOCUMENTS = [*sorted(ROOT.glob("*.md")), ROOT / "config" / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+DOCUMENTS = [
+    *sorted(ROOT.glob("*.md")),
+    ROOT / "config" / "README.md",
+    *sorted(path for path in (ROOT / "docs").rglob("*.md") if not {"generated", "_build"} & set(path.parts)),
+]
 FOLDERS = {"workflow", "config", "docs", "tests", "profiles", "examples", "benchmarks", ".ci"}
 
 

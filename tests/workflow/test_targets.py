@@ -21,11 +21,6 @@ def test_every_target_says_what_it_makes_and_what_it_costs():
         assert bool(target.cost) == (target.name != "help"), target
 
 
-def test_readme_shows_the_help():
-    page = help.page(SNAKEFILE)
-    assert f"```text\n{page}```" in (ROOT / "README.md").read_text(encoding="utf-8"), f"README.md needs:\n{page}"
-
-
 def test_help_works_beside_a_run_and_with_a_wrong_configuration(make_project):
     project = make_project("help")
     (project.folder / "config" / "config.yaml").write_text("nonsense: 1\n")

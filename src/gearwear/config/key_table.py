@@ -1,6 +1,6 @@
-"""Writer of the JSON schema and of the key tables in config/README.md, both taken from the models.
+"""The JSON schema of the configuration, and the tables of its keys for the documentation, both taken from the models.
 
-Run as `python -m gearwear.config.key_table` after a change of the models, defaults or stages.
+Run as `python -m gearwear.config.key_table` after a change of the models to write the schema.
 """
 
 from __future__ import annotations
@@ -10,39 +10,19 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-import yaml
 from pydantic.fields import FieldInfo
 
-from gearwear.config.check import check
 from gearwear.config.key_types import adapter, adapter_of, entry_type, further, is_section, keys, placeholder, unit_of
-from gearwear.config.slices import STAGES, readers
+from gearwear.config.slices import readers
 from gearwear.config.study_sections import Configuration
 from gearwear.config.wording import allowed, figure
 
-ROOT = Path(__file__).resolve().parents[4]
+ROOT = Path(__file__).resolve().parents[3]
 SCHEMA_FILE = Path("workflow/schemas/config.schema.json")
-TABLE_FILE = Path("config/README.md")
 
 _DECIDES = {"decides_targets": "which files are made", "decides_jobs": "which jobs make the files"}
 _MOST_SHOWN = 4
 _ESCAPES = str.maketrans({"|": r"\|", "<": r"\<"})
-_INTRODUCTION = """\
-# Configuration
-
-`config.yaml` holds every value of the default study; nothing has a default elsewhere. For another
-study write an overlay with only the keys that differ and name it after the first file:
-
-    snakemake -j2 all --configfile config/config.yaml my_study.yaml
-
-Sections are merged key by key, lists are replaced; `smoke.yaml` and the files in `presets/` are such overlays.
-A plain number is in the unit of its key, SI except rpm, deg and degC, and may be written `1.0e-8` or `1e-8`.
-Text with a unit, `3 mm`, `206 GPa`, `9.4 mPa s`, `373 K`, `0.2 kN m`, is converted (by `pint`) to the last bit
-as if the number stood there. Every start checks the whole configuration and lists all its problems in one
-message, each with its key, its value and what is allowed. The column "re-runs" names the stages that read a
-key; stages that use their results follow.
-
-The tables below are generated: `PYTHONPATH=workflow/scripts python -m gearwear.config.key_table`.
-"""
 
 
 def schema_text() -> str:
@@ -54,7 +34,7 @@ def schema_text() -> str:
 
 
 def table_text(defaults: dict[str, Any], stages: Mapping[str, tuple[str, ...]]) -> str:
-    """Return config/README.md.
+    """Return the tables of all keys in Markdown, one for every section.
 
     Parameters
     ----------
@@ -62,7 +42,7 @@ def table_text(defaults: dict[str, Any], stages: Mapping[str, tuple[str, ...]]) 
     stages : stage name -> dotted keys or sections it reads; `case` stands for the case at hand in `cases`,
         `{sweep}` and `{case}` for any sweep and case.
     """
-    lines = [_INTRODUCTION.rstrip()]
+    lines: list[str] = []
     for name, field in Configuration.model_fields.items():
         entry = entry_type(field.annotation)
         meaning = (field.annotation if entry is None else entry).__doc__ or ""
@@ -72,7 +52,7 @@ def table_text(defaults: dict[str, Any], stages: Mapping[str, tuple[str, ...]]) 
             "| --- | --- | --- | --- | --- | --- |",
         ]
         lines += [_row(path, leaf, defaults, stages) for path, leaf in leaves() if path[0] == name]
-    return "\n".join(lines) + "\n"
+    return "\n".join(lines[1:]) + "\n"
 
 
 def leaves() -> Iterator[tuple[tuple[str, ...], FieldInfo]]:
@@ -86,11 +66,9 @@ def leaves() -> Iterator[tuple[tuple[str, ...], FieldInfo]]:
 
 
 def write(root: Path = ROOT) -> None:
-    """Write both files below `root`."""
-    defaults = check(yaml.safe_load((ROOT / "config/config.yaml").read_text(encoding="utf-8")))
-    for file, text in ((SCHEMA_FILE, schema_text()), (TABLE_FILE, table_text(defaults, STAGES))):
-        (root / file).parent.mkdir(parents=True, exist_ok=True)
-        (root / file).write_text(text, encoding="utf-8")
+    """Write the schema below `root`."""
+    (root / SCHEMA_FILE).parent.mkdir(parents=True, exist_ok=True)
+    (root / SCHEMA_FILE).write_text(schema_text(), encoding="utf-8")
 
 
 def _without_titles(schema: Any) -> Any:
