@@ -68,7 +68,7 @@ def _compare(given: argparse.Namespace) -> int:
 
 
 def _plain(found: Comparison, tolerance: float) -> dict[str, Any]:
-    """Return the comparison as JSON has it: places as objects, what is not finite as text."""
+    """Return the comparison as JSON has it: places as objects, NaN as null, infinity as text."""
     return _finite(
         {
             "equal": found.equal,
@@ -77,15 +77,11 @@ def _plain(found: Comparison, tolerance: float) -> dict[str, Any]:
             "within_tolerance": found.within,
             "settings": [one._asdict() for one in found.settings],
             "differences": [
-                one._asdict() | {name: place and place._asdict() for name, place in _places(one).items()}
+                one._asdict() | {"place": one.place._asdict(), "relative_place": one.relative_place._asdict()}
                 for one in found.differences
             ],
         }
     )
-
-
-def _places(difference: Difference) -> dict[str, Place | None]:
-    return {"absolute": difference.absolute, "relative": difference.relative}
 
 
 def _finite(value: Any) -> Any:
@@ -93,7 +89,9 @@ def _finite(value: Any) -> Any:
         return {key: _finite(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
         return [_finite(item) for item in value]
-    return str(value) if isinstance(value, float) and not math.isfinite(value) else value
+    if isinstance(value, float) and not math.isfinite(value):
+        return None if math.isnan(value) else str(value)
+    return value
 
 
 def _text(found: Comparison, tolerance: float) -> Iterator[str]:
@@ -144,20 +142,22 @@ def _line(several: Sequence[Difference]) -> str:
     files = f" in {len(several)} files" if many else ""
     if first.what:
         return f"{first.variable}: {first.what}{files}"
-    total, differing = sum(one.count for one in several), sum(one.differing for one in several)
+    total, differing = sum(one.total for one in several), sum(one.differing for one in several)
     text = f"{first.variable}: {differing} of {_count(total, 'value')} differ{files}"
     if missing := sum(one.missing for one in several):
         text += f", {missing} of them missing (NaN) on one side"
-    sized = [one for one in several if one.relative]
+    sized = [one for one in several if not math.isnan(one.absolute)]
     if not sized:
-        return f"{text}; the first{_at(first, first.absolute, many)}{_values(first.absolute)}"
-    largest = max(sized, key=lambda one: one.absolute.size)
-    relative = max(sized, key=lambda one: one.relative.size)
-    text += f"; largest difference {_number(largest.absolute.size, first.unit)}"
-    text += f"{_at(largest, largest.absolute, many)}{_values(largest.absolute)}"
-    if _at(relative, relative.relative, many) == _at(largest, largest.absolute, many):
-        return f"{text}, relative {_number(relative.relative.size)}"
-    return f"{text}, largest relative {_number(relative.relative.size)}{_at(relative, relative.relative, many)}"
+        return f"{text}; the first{_at(first, first.place, many)}{_values(first.place)}"
+    largest, steepest = max(sized, key=lambda one: one.absolute), max(sized, key=lambda one: one.relative)
+    place, relative_place = _at(largest, largest.place, many), _at(steepest, steepest.relative_place, many)
+    text += f"; largest difference {_number(largest.absolute, first.unit)}{place}{_values(largest.place)}"
+    relative = _number(steepest.relative)
+    return (
+        f"{text}, relative {relative}"
+        if relative_place == place
+        else (f"{text}, largest relative {relative}{relative_place}")
+    )
 
 
 def _at(difference: Difference, place: Place, many: bool) -> str:
@@ -182,7 +182,7 @@ def _setting(value: Any) -> str:
     return "not set" if value is None else _value(json.dumps(value))
 
 
-def _number(value: float | None, unit: str = "") -> str:
+def _number(value: float, unit: str = "") -> str:
     return f"{value:.6g}{'' if unit in ('', '1') else ' ' + unit}"
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import csv
 import filecmp
 import json
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -34,15 +35,17 @@ class Variable(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Where two arrays differ: size of the difference (None for text and flags), place, both values.
+    """Place of one value, and the value in A and in B.
 
     The place has value and unit of the coordinate along every dimension, or the index along one without coordinate.
     """
 
-    size: float | None
     at: dict[str, tuple[Any, str]]
     a: Any
     b: Any
+
+
+_NOWHERE = Place({}, None, None)
 
 
 class Difference(NamedTuple):
@@ -50,21 +53,24 @@ class Difference(NamedTuple):
 
     what : in words, where it is not values that differ: missing, type, dimensions, shape, an attribute.
     unit : of the values in A.
-    count, differing, missing : number of values, of those that differ, and of those that one side alone has (NaN).
-    absolute, relative : place of the largest difference of numbers that both sides have. The relative difference is
-        |A - B| over the larger of |A| and |B|. Where there is none, and for text and flags, `relative` is None and
-        `absolute` the first value that differs.
+    total, differing, missing : number of values, of those that differ, and of those that one side alone has (NaN).
+    absolute, relative : largest differences of numbers that both sides have, NaN where there are none; the relative one
+        is |A - B| over the larger of |A| and |B|.
+    place, relative_place : of the largest absolute and relative difference. Where there is none, and for text and
+        flags, `place` is that of the first value that differs.
     """
 
     file: str
     variable: str
     what: str = ""
     unit: str = ""
-    count: int = 0
+    total: int = 0
     differing: int = 0
     missing: int = 0
-    absolute: Place | None = None
-    relative: Place | None = None
+    absolute: float = math.nan
+    place: Place = _NOWHERE
+    relative: float = math.nan
+    relative_place: Place = _NOWHERE
 
 
 class Setting(NamedTuple):
@@ -136,9 +142,9 @@ def compare(a: str | Path, b: str | Path, tolerance: float = 0.0) -> Comparison:
     for name, (one, other) in pairs.items():
         if filecmp.cmp(one, other, shallow=False):
             continue
-        (ours, config), (theirs, other_config) = read(one), read(other)
+        (x, config), (y, other_config) = read(one), read(other)
         configs.append((name, dict(_flat(config)), dict(_flat(other_config))))
-        for difference in _of_file(name, ours, theirs, tolerance):
+        for difference in _of_file(name, x, y, tolerance):
             if difference is None:
                 found.within += 1
             else:
@@ -232,16 +238,17 @@ def _of_values(
     if kind in "fiu" and not flags:
         yield from _of_numbers(file, name, a, b, known, tolerance)
     elif kind == "O" and (numbers := _numbers(a, b)):  # cells of a table
-        yield from list(_of_numbers(file, name, *numbers, known, tolerance)) or _of_words(file, name, a, b, known)
+        found = list(_of_numbers(file, name, *numbers, known, tolerance))
+        yield from found or _of_words(file, name, a, b, known)
     else:
         yield from _of_words(file, name, a, b, known)
 
 
-def _numbers(a: Variable, b: Variable) -> list[Variable]:
+def _numbers(a: Variable, b: Variable) -> tuple[Variable, Variable] | None:
     try:
-        return [one._replace(values=one.values.astype(np.float64)) for one in (a, b)]
+        return a._replace(values=a.values.astype(np.float64)), b._replace(values=b.values.astype(np.float64))
     except ValueError:
-        return []
+        return None
 
 
 def _unlike(a: Variable, b: Variable) -> str:
@@ -275,34 +282,44 @@ def _of_numbers(
     if not unequal.any():
         return
     missing = unequal & (np.isnan(wide_x) | np.isnan(wide_y))
-    sized = unequal & ~missing
     with np.errstate(all="ignore"):
         absolute = np.asarray(np.abs(wide_x - wide_y), dtype=np.float64)
         largest = np.maximum(np.abs(wide_x), np.abs(wide_y))
         relative = np.where(np.isinf(absolute), np.inf, np.where(absolute > 0, absolute / largest, 0.0))
-    within = sized & (relative <= tolerance) if tolerance else np.zeros_like(unequal)
-    if (within == unequal).all():
+    if tolerance:
+        unequal = unequal & (missing | (relative > tolerance))
+    if not unequal.any():
         yield None
         return
     unit = str(a.attributes.get("units", ""))
-    found = Difference(file, name, "", unit, x.size, int((unequal & ~within).sum()), int(missing.sum()))
-    places = []
-    for sizes in (absolute, relative) if sized.any() else ():
-        index = np.unravel_index(np.argmax(np.where(sized, sizes, -1.0)), sizes.shape)
-        places.append(_place(index, a, b, known, float(sizes[index])))
-    first = np.unravel_index(np.argmax(unequal), unequal.shape)
-    yield found._replace(**dict(zip(("absolute", "relative"), places or [_place(first, a, b, known)], strict=False)))
+    found = Difference(file, name, "", unit, x.size, int(unequal.sum()), int(missing.sum()))
+    sized = unequal & ~missing
+    if not sized.any():
+        yield found._replace(place=_place(_largest(missing), a, b, known))
+        return
+    at, relative_at = (_largest(np.where(sized, sizes, -1.0)) for sizes in (absolute, relative))
+    yield found._replace(
+        absolute=float(absolute[at]),
+        place=_place(at, a, b, known),
+        relative=float(relative[relative_at]),
+        relative_place=_place(relative_at, a, b, known),
+    )
 
 
 def _of_words(file: str, name: str, a: Variable, b: Variable, known: Mapping[str, Variable]) -> Iterator[Difference]:
     """Yield the difference of text, of flags, or of what else has no size."""
     unequal = np.asarray(a.values != b.values)
     if unequal.any():
-        index = np.unravel_index(np.argmax(unequal), unequal.shape)
-        yield Difference(file, name, "", "", a.values.size, int(unequal.sum()), absolute=_place(index, a, b, known))
+        place = _place(_largest(unequal), a, b, known)
+        yield Difference(file, name, total=a.values.size, differing=int(unequal.sum()), place=place)
 
 
-def _place(index, a: Variable, b: Variable, known: Mapping[str, Variable], size: float | None = None) -> Place:
+def _largest(sizes: np.ndarray) -> tuple[Any, ...]:
+    """Return the index of the largest value, the first of equal ones."""
+    return np.unravel_index(np.argmax(sizes), sizes.shape)
+
+
+def _place(index: tuple[Any, ...], a: Variable, b: Variable, known: Mapping[str, Variable]) -> Place:
     at: dict[str, tuple[Any, str]] = {}
     listed = str(a.attributes.get("coordinates", "")).split()
     for dim, position in zip(a.dims, index, strict=True):
@@ -311,7 +328,7 @@ def _place(index, a: Variable, b: Variable, known: Mapping[str, Variable], size:
             at[dim] = int(position), "index"
         else:
             at[name] = _plain(known[name].values[position]), str(known[name].attributes.get("units", ""))
-    return Place(size, at, *(_named(_plain(one.values[index]), one.attributes) for one in (a, b)))
+    return Place(at, *(_named(_plain(one.values[index]), one.attributes) for one in (a, b)))
 
 
 def _plain(value: Any) -> Any:

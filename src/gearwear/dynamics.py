@@ -94,7 +94,7 @@ class Oscillator:
     ):
         one_of("start", start, STARTS)
         self.excitation = excitation
-        self._dynamics = {
+        self._dynamics: dict[str, Any] = {
             "damping_ratio": damping_ratio,
             "torque_fluctuation": {
                 "frequency_ratio": torque_frequency_ratio,
@@ -450,8 +450,8 @@ class Oscillator:
         if resolution < 1:
             raise GearwearError(f"resolution: {resolution} must be at least 1")
         swept, values = self._sweep(mesh_frequency, ste, backlash, reading)
-        cells = (cell_centres(*ends, resolution) for ends in (displacement, velocity))
-        return described(basins_along(swept, values, *cells, _settling(settling))).set_coords(swept.quantity)
+        grid = [cell_centres(*ends, resolution) for ends in (displacement, velocity)]
+        return described(basins_along(swept, values, grid[0], grid[1], _settling(settling))).set_coords(swept.quantity)
 
     def portraits(
         self, mesh_frequency, *, ste=None, backlash=None, reading: str = "rescale", **settling: Any

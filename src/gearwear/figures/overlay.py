@@ -19,7 +19,7 @@ from gearwear.figures import path_axis, phase_axis
 from gearwear.figures.sheet import DOUBLE, MILLIMETRE, SINGLE
 from gearwear.io.atomic import atomic
 
-_STYLE = {
+_STYLE: dict[Any, Any] = {
     "font.size": 7,
     "axes.titlesize": 7,
     "axes.linewidth": 0.6,
@@ -31,7 +31,9 @@ _STYLE = {
 }
 # Okabe and Ito (2008), safe for colour-blind readers; the second run is dashed, so that the first shows below it.
 _RUNS: tuple[dict[str, Any], ...] = ({"color": "#0072B2"}, {"color": "#D55E00", "dashes": (3, 1.5)})
-_ROW, _HEAD = 40.0, 12.0  # mm
+# Places, mm.
+_ROW, _HEAD, _FOOT, _BETWEEN_ROWS = 40.0, 14.0, 9.0, 9.0
+_LEFT, _RIGHT, _BETWEEN_COLUMNS = 15.0, 3.0, 16.0
 
 Draw = Callable[[Axes, xr.Dataset, xr.Dataset, dict[str, Any]], None]
 
@@ -71,7 +73,7 @@ def overlay(a: str | Path, b: str | Path, folder: str | Path) -> list[Path]:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise BadFile(f"{folder}: cannot be made ({error.strerror})") from None
-    written = []
+    written: list[Path] = []
     with matplotlib.rc_context(_STYLE):
         for name, curves in _FIGURES.items():
             rows = list(_rows(runs, curves))
@@ -86,14 +88,14 @@ def _rows(runs: Sequence[Path], curves: Sequence[Curve]) -> Iterator[tuple[str, 
     """Yield every case of both runs, with its datasets by curve and run."""
     cases = sorted({path.name for path in runs[0].iterdir()} & {path.name for path in runs[1].iterdir()})
     for case in cases:
-        files = [[_last(run / case, curve.file) for run in runs] for curve in curves]
-        if all(path for both in files for path in both):
+        files = [[path for run in runs for path in _last(run / case, curve.file)] for curve in curves]
+        if all(len(both) == len(runs) for both in files):
             yield case, [[xr.load_dataset(path) for path in both] for both in files]
 
 
-def _last(case: Path, file: str) -> Path | None:
-    found = sorted(case.glob(file), key=lambda path: (len(path.name), path.name))
-    return found[-1] if found else None
+def _last(case: Path, file: str) -> list[Path]:
+    """Return the last file of a series, such as that of the wear cycles, in a list; an empty one if there is none."""
+    return sorted(case.glob(file), key=lambda path: (len(path.name), path.name))[-1:]
 
 
 def _figure(
@@ -103,8 +105,17 @@ def _figure(
     names: tuple[str, str],
 ) -> Figure:
     width = DOUBLE if len(curves) > 1 else SINGLE
-    size = width * MILLIMETRE, (_HEAD + _ROW * len(rows)) * MILLIMETRE
-    figure = Figure(figsize=size, layout="constrained")
+    height = _HEAD + _FOOT + _ROW * len(rows) - _BETWEEN_ROWS
+    figure = Figure(figsize=(width * MILLIMETRE, height * MILLIMETRE))
+    panel = (width - _LEFT - _RIGHT - _BETWEEN_COLUMNS * (len(curves) - 1)) / len(curves)
+    figure.subplots_adjust(
+        left=_LEFT / width,
+        right=1 - _RIGHT / width,
+        bottom=_FOOT / height,
+        top=1 - _HEAD / height,
+        wspace=_BETWEEN_COLUMNS / panel,
+        hspace=_BETWEEN_ROWS / (_ROW - _BETWEEN_ROWS),
+    )
     panels = figure.subplots(len(rows), len(curves), sharex="col", squeeze=False)
     for row, (case, datasets) in enumerate(rows):
         for column, (curve, both) in enumerate(zip(curves, datasets, strict=True)):
@@ -113,11 +124,11 @@ def _figure(
                 curve.draw(axes, pair, dataset, line)
             axes.set_title(case, loc="left")
             axes.set_ylabel(curve.label)
+            axes.yaxis.set_label_coords(-10.5 / panel, 0.5)
             if row + 1 < len(rows):
                 axes.set_xlabel("")
-    figure.align_ylabels()
     keys = [Line2D([], [], label=f"{run}: {name}", **line) for run, name, line in zip("AB", names, _RUNS, strict=True)]
-    figure.legend(handles=keys, loc="outside upper center", ncols=2 if width == DOUBLE else 1)
+    figure.legend(handles=keys, loc="upper center", ncols=2 if width == DOUBLE else 1)
     return figure
 
 
@@ -125,7 +136,6 @@ def _write(figure: Figure, path: Path) -> Iterator[Path]:
     for suffix, metadata in ((".png", {"Software": None}), (".svg", {"Date": None, "Creator": None})):
         with atomic(path.with_suffix(suffix)) as temporary:
             figure.savefig(temporary, format=suffix[1:], metadata=metadata)
-        figure.set_layout_engine("none")  # the second file has the places of the first
         yield path.with_suffix(suffix)
 
 
