@@ -33,7 +33,8 @@ _STYLE: dict[Any, Any] = {
 _RUNS: tuple[dict[str, Any], ...] = ({"color": "#0072B2"}, {"color": "#D55E00", "dashes": (3, 1.5)})
 # Places, mm.
 _ROW, _HEAD, _FOOT, _BETWEEN_ROWS = 40.0, 14.0, 9.0, 9.0
-_LEFT, _RIGHT, _BETWEEN_COLUMNS = 15.0, 3.0, 16.0
+_LEFT, _RIGHT, _BETWEEN_COLUMNS, _LABEL = 15.0, 3.0, 17.0, 12.0
+_NOTHING = 1e-3  # um; below, a curve is round-off
 
 Draw = Callable[[Axes, xr.Dataset, xr.Dataset, dict[str, Any]], None]
 
@@ -124,7 +125,7 @@ def _figure(
                 curve.draw(axes, pair, dataset, line)
             axes.set_title(case, loc="left")
             axes.set_ylabel(curve.label)
-            axes.yaxis.set_label_coords(-10.5 / panel, 0.5)
+            axes.yaxis.set_label_coords(-_LABEL / panel, 0.5)
             if row + 1 < len(rows):
                 axes.set_xlabel("")
     keys = [Line2D([], [], label=f"{run}: {name}", **line) for run, name, line in zip("AB", names, _RUNS, strict=True)]
@@ -142,6 +143,10 @@ def _write(figure: Figure, path: Path) -> Iterator[Path]:
 def _on_path(field: Callable[[xr.Dataset], xr.DataArray]) -> Draw:
     def draw(axes: Axes, pair: xr.Dataset, dataset: xr.Dataset, line: dict[str, Any]) -> None:
         path_axis.draw(axes, field(dataset), 1e6, **line)
+        if np.abs(axes.dataLim.intervaly).max() < _NOTHING:
+            axes.set_ylim(-0.05, 0.05)
+        else:
+            axes.set_ylim(auto=True)
         path_axis.mark(axes, pair)
 
     return draw
