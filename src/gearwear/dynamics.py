@@ -231,29 +231,13 @@ class Oscillator:
         >>> oscillator.sweep([0.4, 0.6]).period.values
         array([1, 1], dtype=int32)
         """
-        k = np.asarray(stiffness, dtype=float)
-        cells = {"stiffness": k, "error": np.asarray(error, dtype=float)}
         if clearance is None and half_backlash is None:
             raise GearwearError("clearance: give it over the mesh period, or half_backlash, in m")
-        cells["width"] = np.full(k.shape, 1 / max(k.size, 1)) if width is None else np.asarray(width, dtype=float)
-        cells["clearance"] = np.asarray(np.full(k.shape, half_backlash) if clearance is None else clearance, float)
-        for name, values in cells.items():
-            if values.shape != k.shape or values.ndim != 1 or values.size < 2 or not np.isfinite(values).all():
-                raise GearwearError(
-                    f"{name}: shape {values.shape}; give finite numbers, one for each cell of the mesh period, as many "
-                    "as in stiffness and at least 2"
-                )
-        if not np.isclose(cells["width"].sum(), 1, rtol=0, atol=1e-9) or cells["width"].min() <= 0:
-            raise GearwearError(f"width: above 0 with sum 1, not {cells['width'].sum():g}")
-        if harmonics != "full" and not (isinstance(harmonics, int) and 1 <= harmonics < k.size):
-            raise GearwearError(f'harmonics: {harmonics!r}; give a whole number from 1 to below {k.size}, or "full"')
-        double = np.zeros(k.shape, dtype=bool) if double_contact is None else np.asarray(double_contact, dtype=bool)
-        if harmonics == "full" and (double.shape != k.shape or double.all() or not double.any()):
-            raise GearwearError('double_contact: harmonics "full" needs cells with two pairs and cells with one')
+        given = {"stiffness": stiffness, "error": error, "width": width, "clearance": clearance}
+        cells, double = _cells(given, half_backlash, harmonics, double_contact)
         unit = float(cells["clearance"] @ cells["width"]) if half_backlash is None else float(half_backlash)
-        for name, value in (("half_backlash", unit), ("damping_ratio", damping_ratio), ("mass", mass or 1.0)):
-            if not value > 0:
-                raise GearwearError(f"{name}: {value:g} must be above 0")
+        for name, value in (("half_backlash", unit), ("mass", 1.0 if mass is None else mass)):
+            _positive(name, value)
         mesh = {
             "mesh_phase": np.cumsum(cells["width"]) - cells["width"] / 2,
             "mesh_phase_width": cells["width"],
@@ -263,7 +247,7 @@ class Oscillator:
         geometry = geometry.assign(base_radius=("gear", [1.0, 1.0]), equivalent_mass=np.nan if mass is None else mass)
         state = xr.Dataset(
             {
-                "mesh_stiffness": ("mesh_phase", k),
+                "mesh_stiffness": ("mesh_phase", cells["stiffness"]),
                 "transmission_error": ("mesh_phase", cells["error"]),
                 "backlash": ("mesh_phase", cells["clearance"]),
                 "initial_half_backlash": unit,
@@ -515,6 +499,32 @@ def one_of(name: str, value: Any, allowed: Sequence[str]) -> None:
     """
     if value not in allowed:
         raise GearwearError(f"{name}: {value!r}; give {', '.join(allowed[:-1])} or {allowed[-1]}")
+
+
+def _cells(
+    given: dict[str, Any], half_backlash: float | None, harmonics: int | str, double_contact: Any
+) -> tuple[dict[str, np.ndarray], np.ndarray]:
+    """Return stiffness, error, width and clearance in the cells of the mesh period, and which have two pairs."""
+    k = np.asarray(given["stiffness"], dtype=float)
+    usual = {"width": 1 / max(k.size, 1), "clearance": half_backlash}
+    cells = {
+        name: np.full(k.shape, usual[name]) if values is None else np.asarray(values, dtype=float)
+        for name, values in given.items()
+    }
+    for name, values in cells.items():
+        if values.shape != k.shape or values.ndim != 1 or values.size < 2 or not np.isfinite(values).all():
+            raise GearwearError(
+                f"{name}: shape {values.shape}; give finite numbers, one for each cell of the mesh period, as many as "
+                "in stiffness and at least 2"
+            )
+    if not np.isclose(cells["width"].sum(), 1, rtol=0, atol=1e-9) or cells["width"].min() <= 0:
+        raise GearwearError(f"width: above 0 with sum 1, not {cells['width'].sum():g}")
+    if harmonics != "full" and not (isinstance(harmonics, int) and 1 <= harmonics < k.size):
+        raise GearwearError(f'harmonics: {harmonics!r}; give a whole number from 1 to below {k.size}, or "full"')
+    double = np.zeros(k.shape, dtype=bool) if double_contact is None else np.asarray(double_contact, dtype=bool)
+    if harmonics == "full" and (double.shape != k.shape or double.all() or not double.any()):
+        raise GearwearError('double_contact: harmonics "full" needs cells with two pairs and cells with one')
+    return cells, double
 
 
 def _settling(changed: dict[str, Any]) -> Settling:

@@ -214,80 +214,8 @@ class GearPair:
         initial_temperature: float = 20.0,
         mesh_cells: int = 240,
     ):
-        relief, steel = (
-            {gear: one._asdict() for gear, one in _both(name, value, kind).items()}
-            for name, value, kind in (("tip_relief", tip_relief, TipRelief), ("material", material, Material))
-        )
-        self._cfg = {
-            "gear_pair": _checked(
-                gear_sections.GearPair,
-                {
-                    "teeth": _both("teeth", teeth),
-                    "module": module,
-                    "face_width": face_width,
-                    "pressure_angle": pressure_angle,
-                    "addendum_coefficient": _both("addendum_coefficient", addendum_coefficient),
-                    "clearance_coefficient": clearance_coefficient,
-                    "profile_shift": _both("profile_shift", profile_shift),
-                    "centre_distance": centre_distance,
-                    "bore_radius": _both("bore_radius", bore_radius),
-                    "inertia": _both("inertia", inertia),
-                },
-            ),
-            "micro_geometry": _checked(
-                MicroGeometry,
-                {
-                    "tip_relief": relief,
-                    "spacing_error": spacing_error,
-                    "base_pitch_difference": base_pitch_difference,
-                },
-            ),
-            "grid": _checked(gear_sections.Grid, {"mesh_cells": mesh_cells}),
-            "material": _checked(gear_sections.Material, steel),
-            "elasticity": _checked(
-                gear_sections.Elasticity,
-                {"law": modulus_law, "calibration": modulus_calibration},
-                law="modulus_law",
-                calibration="modulus_calibration",
-            ),
-            "lubricant": _checked(gear_sections.Lubricant, lubricant._asdict()),
-            "mesh_stiffness": _checked(
-                gear_sections.MeshStiffness,
-                {
-                    "cantilever": cantilever,
-                    "fillet_angle": fillet_angle,
-                    "hertz": hertz,
-                    "profile_changes": profile_changes,
-                    "pairs": pairs,
-                    "foundation_coupling": foundation_coupling,
-                },
-            ),
-            "transmission_error": _checked(
-                gear_sections.TransmissionError,
-                {"mode": error_mode, "heat": error_heat, "heat_in_load_sharing": heat_in_load_sharing},
-                mode="error_mode",
-                heat="error_heat",
-            ),
-            "backlash": _checked(
-                gear_sections.Backlash,
-                {
-                    "half_backlash": half_backlash,
-                    "projection": backlash_projection,
-                    "centre_distance_change": centre_distance_change,
-                    "housing": {
-                        "thermal_expansion": housing_expansion,
-                        "temperature_rise": housing_temperature_rise,
-                    },
-                },
-                projection="backlash_projection",
-                thermal_expansion="housing_expansion",
-                temperature_rise="housing_temperature_rise",
-            ),
-        }
-        for gear, radius in self._cfg["gear_pair"]["bore_radius"].items():
-            if radius is None:
-                value = RULES[f"gear_pair.bore_radius.{gear}"].value(self._cfg)
-                self._cfg["gear_pair"]["bore_radius"][gear] = float(f"{value:.4g}")
+        given = {name: value for name, value in locals().items() if name != "self"}
+        self._cfg = _sections(given)
         self._initial_temperature = float(initial_temperature)
         self.geometry = described(geometry_stage.geometry(self._cfg))
 
@@ -747,6 +675,46 @@ class GearPair:
         return {"operation": _checked(gear_sections.Operation, operation, **renamed)}
 
 
+def _same(*names: str) -> dict[str, str]:
+    return {name: name for name in names}
+
+
+# Sections of the configuration that describe a pair: model, and the argument of GearPair behind every key.
+_SECTIONS: dict[str, tuple[type[Section], dict[str, str]]] = {
+    "gear_pair": (
+        gear_sections.GearPair,
+        _same(
+            "teeth",
+            "module",
+            "face_width",
+            "pressure_angle",
+            "addendum_coefficient",
+            "clearance_coefficient",
+            "profile_shift",
+            "centre_distance",
+            "bore_radius",
+            "inertia",
+        ),
+    ),
+    "micro_geometry": (MicroGeometry, _same("tip_relief", "spacing_error", "base_pitch_difference")),
+    "grid": (gear_sections.Grid, _same("mesh_cells")),
+    "material": (gear_sections.Material, _same(*GEARS)),
+    "elasticity": (gear_sections.Elasticity, {"law": "modulus_law", "calibration": "modulus_calibration"}),
+    "lubricant": (gear_sections.Lubricant, _same(*Lubricant._fields)),
+    "mesh_stiffness": (
+        gear_sections.MeshStiffness,
+        _same("cantilever", "fillet_angle", "hertz", "profile_changes", "pairs", "foundation_coupling"),
+    ),
+    "transmission_error": (
+        gear_sections.TransmissionError,
+        {"mode": "error_mode", "heat": "error_heat", "heat_in_load_sharing": "heat_in_load_sharing"},
+    ),
+    "backlash": (
+        gear_sections.Backlash,
+        {"projection": "backlash_projection", **_same("half_backlash", "centre_distance_change", "housing")},
+    ),
+}
+_HOUSING = {"thermal_expansion": "housing_expansion", "temperature_rise": "housing_temperature_rise"}
 _NO_LOAD = {"operation": {"pinion_torque": 0.0}}
 
 
@@ -790,6 +758,27 @@ def _dynamics(
 def _heat_balance(given: HeatBalance) -> dict[str, Any]:
     values = given._asdict() | {"immersion": _both("immersion", given.immersion)}
     return {"heat_balance": _checked(HeatBalanceSection, values)}
+
+
+def _sections(given: dict[str, Any]) -> dict[str, Any]:
+    """Return the sections of the configuration for the arguments of GearPair."""
+    values = given | given["lubricant"]._asdict()
+    for name in ("teeth", "addendum_coefficient", "profile_shift", "bore_radius", "inertia"):
+        values[name] = _both(name, given[name])
+    relief = _both("tip_relief", given["tip_relief"], TipRelief)
+    values["tip_relief"] = {gear: one._asdict() for gear, one in relief.items()}
+    values |= {gear: one._asdict() for gear, one in _both("material", given["material"], Material).items()}
+    values["housing"] = {key: given[argument] for key, argument in _HOUSING.items()}
+    cfg = {}
+    for name, (section, keys) in _SECTIONS.items():
+        renamed = {key: argument for key, argument in keys.items() if key != argument}
+        renamed |= _HOUSING if "housing" in keys else {}
+        cfg[name] = _checked(section, {key: values[argument] for key, argument in keys.items()}, **renamed)
+    radii = cfg["gear_pair"]["bore_radius"]
+    for gear in GEARS:
+        if radii[gear] is None:
+            radii[gear] = float(f"{RULES[f'gear_pair.bore_radius.{gear}'].value(cfg):.4g}")
+    return cfg
 
 
 def _both(name: str, value: Any, one: type = str) -> dict[str, Any]:

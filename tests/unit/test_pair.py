@@ -372,7 +372,7 @@ ARRAYS = {
         ({"error": np.zeros(7)}, r"error: shape \(7,\)"),
         ({"error": np.full(8, np.nan)}, "error: .* finite"),
         ({"half_backlash": None}, "clearance: give it over the mesh period, or half_backlash"),
-        ({"half_backlash": -1.0}, "half_backlash: -1 must be above 0"),
+        ({"half_backlash": -1.0}, "half_backlash: -1; give finite numbers above 0"),
         ({"width": np.full(8, 0.2)}, "width: above 0 with sum 1, not 1.6"),
         ({"harmonics": 9}, "harmonics: 9; give a whole number from 1 to below 8"),
         ({"harmonics": "full"}, "double_contact: harmonics"),
