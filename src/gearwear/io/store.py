@@ -158,6 +158,23 @@ def together(parts: Iterable[xr.Dataset]) -> xr.Dataset:
     return xr.merge(parts, compat="override", join="override", combine_attrs="drop")
 
 
+def attributes_of(name: str, dims: tuple[str, ...], dtype: np.dtype) -> dict[str, Any]:
+    """Return the attributes of a variable with these dimensions: units, long_name and flags (CF conventions).
+
+    Raises
+    ------
+    BadFile : as in variables.variable_of.
+    """
+    entry = variable_of(name, dims)
+    attributes: dict[str, Any] = {"long_name": entry.long_name}
+    if entry.units:
+        attributes["units"] = entry.units
+    if entry.flags:
+        numbers = np.array(list(entry.flags.values()), dtype=dtype)
+        attributes |= {"flag_values": numbers, "flag_meanings": " ".join(entry.flags)}
+    return attributes
+
+
 @contextmanager
 def _readable(path: str | Path) -> Iterator[None]:
     try:
@@ -186,9 +203,4 @@ def _describe(dataset: xr.Dataset, name: str) -> None:
     entry = variable_of(name, tuple(map(str, values.dims)))
     if values.dtype.kind == "f" and not entry.may_be_missing and not np.isfinite(values).all():
         raise Infeasible(f"{name}: holds values that are not finite")
-    values.attrs = {"long_name": entry.long_name}
-    if entry.units:
-        values.attrs["units"] = entry.units
-    if entry.flags:
-        numbers = np.array(list(entry.flags.values()), dtype=values.dtype)
-        values.attrs |= {"flag_values": numbers, "flag_meanings": " ".join(entry.flags)}
+    values.attrs = attributes_of(name, tuple(map(str, values.dims)), values.dtype)
