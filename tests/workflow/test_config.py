@@ -9,10 +9,10 @@ import yaml
 from snakemake.utils import update_config
 
 from gearwear.config.check import ConfigError, check
-from gearwear.config.key_table import SCHEMA_FILE, TABLE_FILE, readers, schema_text, table_text, write
-from gearwear.config.key_types import entry_type, is_section, keys, placeholder
+from gearwear.config.documents import SCHEMA_FILE, TABLE_FILE, readers, schema_text, table_text, write
 from gearwear.config.slices import STAGES
-from gearwear.config.study_sections import Configuration
+from gearwear.config.study import Configuration
+from gearwear.config.types import entry_type, is_section, keys, placeholder
 
 ROOT = Path(__file__).resolve().parents[2]
 DROP = object()
@@ -78,7 +78,7 @@ def test_the_schema_accepts_the_checked_configuration_and_refuses_a_bad_one():
 def test_the_generated_files_are_up_to_date(tmp_path):
     write(tmp_path)
     for file in (SCHEMA_FILE, TABLE_FILE):
-        assert (ROOT / file).read_bytes() == (tmp_path / file).read_bytes(), f"run gearwear.config.key_table: {file}"
+        assert (ROOT / file).read_bytes() == (tmp_path / file).read_bytes(), f"run gearwear.config.documents: {file}"
 
 
 def test_the_table_follows_the_stages_given():
@@ -385,10 +385,10 @@ def test_a_bad_key_gives_its_message(path, value, text):
             },
             [
                 "basins.resolution: 1 is below the least allowed value 2; give a whole number from 2 to 500",
+                "basins.velocity.last: 1.0 is not above basins.velocity.first, 1.0; exchange them or widen the range",
                 "basins.points.ste.with[1]: 3.5 is outside the swept range, 0.1 to 3.0; "
                 "take it out or widen sweeps.ste",
                 "basins.points.ste.wthout: text 'wthout' is no case (did you mean without?)",
-                "basins.velocity.last: 1.0 is not above basins.velocity.first, 1.0; exchange them or widen the range",
             ],
         ),
         (

@@ -12,7 +12,7 @@ from gearwear.calibration.agreement import agreements, judged, subject
 from gearwear.calibration.candidate import SWEPT, pair_of, settled_sweeps
 from gearwear.calibration.search import grid_of
 from gearwear.config.calibration_parameters import NAMES, OSCILLATOR, ends, values_of, with_values
-from gearwear.config.key_types import SWEEPS
+from gearwear.config.parameters import SWEEPS
 from gearwear.oscillator.periodic import sum_of_harmonics
 
 STUDY = "study"  # the values of the configuration itself, computed like the best ones

@@ -13,7 +13,7 @@ from matplotlib.ticker import MaxNLocator
 
 from gearwear.calibration.table import good
 from gearwear.calibration.verdict import STUDY
-from gearwear.config.key_types import SWEEPS
+from gearwear.config.parameters import SWEEPS
 from gearwear.figures import legend
 from gearwear.figures.sheet import letter
 

@@ -1,12 +1,13 @@
-"""Writer of the JSON schema and of the key tables in config/README.md, both taken from the models.
+"""Writer of the JSON schema and of config/README.md from the models of the configuration.
 
-Run as `python -m gearwear.config.key_table` after a change of the models, defaults or stages.
+Run as `python -m gearwear.config.documents` after a change of the models, defaults or stages.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -14,12 +15,13 @@ import yaml
 from pydantic.fields import FieldInfo
 
 from gearwear.config.check import check
-from gearwear.config.key_types import adapter, adapter_of, entry_type, further, is_section, keys, placeholder, unit_of
+from gearwear.config.messages import allowed
 from gearwear.config.slices import STAGES, readers
-from gearwear.config.study_sections import Configuration
-from gearwear.config.wording import allowed, figure
+from gearwear.config.study import Configuration, leaves
+from gearwear.config.text import figure
+from gearwear.config.types import declared, entry_type, schema_of, unit_of
 
-ROOT = Path(__file__).resolve().parents[4]
+ROOT = Path(__file__).resolve().parents[3]
 SCHEMA_FILE = Path("workflow/schemas/config.schema.json")
 TABLE_FILE = Path("config/README.md")
 
@@ -36,12 +38,11 @@ study write an overlay with only the keys that differ and name it after the firs
 
 Sections are merged key by key, lists are replaced; `smoke.yaml` and the files in `presets/` are such overlays.
 A plain number is in the unit of its key, SI except rpm, deg and degC, and may be written `1.0e-8` or `1e-8`.
-Text with a unit, `3 mm`, `206 GPa`, `9.4 mPa s`, `373 K`, `0.2 kN m`, is converted (by `pint`) to the last bit
-as if the number stood there. Every start checks the whole configuration and lists all its problems in one
-message, each with its key, its value and what is allowed. The column "re-runs" names the stages that read a
-key; stages that use their results follow.
+A value may carry a unit: `3 mm`, `206 GPa`, `9.4 mPa s`, `373 K`, `0.2 kN m`; the conversion is exact. Every start
+checks the whole configuration and lists all its problems in one message, each with its key, its value and what is
+allowed. The column "re-runs" names the stages that read a key; stages that use their results follow.
 
-The tables below are generated: `PYTHONPATH=workflow/scripts python -m gearwear.config.key_table`.
+The tables below are generated: `PYTHONPATH=src python -m gearwear.config.documents`.
 """
 
 
@@ -50,7 +51,12 @@ def schema_text() -> str:
     schema = _without_titles(Configuration.model_json_schema())
     schema["$schema"] = "https://json-schema.org/draft/2020-12/schema"
     schema["title"] = "Configuration of the gear wear workflow"
-    return json.dumps(schema, indent=2, sort_keys=True, ensure_ascii=True) + "\n"
+    text = json.dumps(schema, indent=2, sort_keys=True, ensure_ascii=True) + "\n"
+    # Generic sections are named by the types of their values, which take several lines.
+    for number, name in enumerate(name for name in schema["$defs"] if "_Annotated_" in name):
+        kind = re.split("_+Annotated_", name)[0].rpartition("__")[2]
+        text = text.replace(name + '"', f'{kind}{number}"')
+    return text
 
 
 def table_text(defaults: dict[str, Any], stages: Mapping[str, tuple[str, ...]]) -> str:
@@ -67,22 +73,9 @@ def table_text(defaults: dict[str, Any], stages: Mapping[str, tuple[str, ...]]) 
         entry = entry_type(field.annotation)
         meaning = (field.annotation if entry is None else entry).__doc__ or ""
         lines += ["", f"## {name}", "", meaning, ""]
-        lines += [
-            "| key | unit | allowed | default | meaning | re-runs |",
-            "| --- | --- | --- | --- | --- | --- |",
-        ]
+        lines += ["| key | unit | allowed | default | meaning | re-runs |", "| --- | --- | --- | --- | --- | --- |"]
         lines += [_row(path, leaf, defaults, stages) for path, leaf in leaves() if path[0] == name]
     return "\n".join(lines) + "\n"
-
-
-def leaves() -> Iterator[tuple[tuple[str, ...], FieldInfo]]:
-    """Yield path and declaration of every key that holds a value; free names appear as placeholders."""
-    for path, field in keys(Configuration):
-        entry = entry_type(field.annotation)
-        if entry is not None and not is_section(entry):
-            yield (*path, placeholder(field)), field
-        elif entry is None and not is_section(field.annotation):
-            yield path, field
 
 
 def write(root: Path = ROOT) -> None:
@@ -108,13 +101,11 @@ def _without_titles(schema: Any) -> Any:
 def _row(
     path: tuple[str, ...], field: FieldInfo, defaults: dict[str, Any], stages: Mapping[str, tuple[str, ...]]
 ) -> str:
-    entry = entry_type(field.annotation)
-    reader = adapter_of(field) if entry is None else adapter(entry)
-    decided = [what for mark, what in _DECIDES.items() if further(field, mark)]
+    decided = [what for mark, what in _DECIDES.items() if declared(field, mark)]
     cells = (
         f"`{'.'.join(path)}`",
         unit_of(field) or "-",
-        allowed(reader.json_schema()),
+        allowed(schema_of(field)),
         _default(defaults, path),
         field.description or "",
         f"none: decides {decided[0]}" if decided else ", ".join(readers(path, stages)),
