@@ -9,8 +9,8 @@ from pydantic import Field
 from gearwear.config.types import (
     Both,
     Flag,
+    Nullable,
     Number,
-    OrNull,
     OrOff,
     ReadNumber,
     ReadWhole,
@@ -40,12 +40,10 @@ _Immersion = Annotated[
     float, quantity("m", "Lowest point of the gear below the oil level; 0 = dry.", ge=0.0, le=10.0), ReadNumber
 ]
 _Bore = Annotated[
-    BoreRadius | None,
-    OrNull,
-    quantity("m", "Bore radius, at which the gear body is held; null = 0.45 of its root radius."),
+    Nullable[BoreRadius], quantity("m", "Bore radius, at which the gear body is held; null = 0.45 of its root radius.")
 ]
 _PolarInertia = Annotated[
-    _Inertia | None, OrNull, quantity("kg m2", "Polar inertia; null = solid disc of the pitch radius less the bore.")
+    Nullable[_Inertia], quantity("kg m2", "Polar inertia; null = solid disc of the pitch radius less the bore.")
 ]
 
 
@@ -59,7 +57,7 @@ class GearPair(Section):
     addendum_coefficient: Both[_Addendum]
     clearance_coefficient: Number = quantity("1", "Tip clearance over the module.", ge=0.05, le=0.6)
     profile_shift: Both[_ProfileShift]
-    centre_distance: Annotated[_Distance | None, OrNull] = quantity(
+    centre_distance: Nullable[_Distance] = quantity(
         "m", "Working centre distance; null = the distance at which the flanks touch without backlash."
     )
     bore_radius: Both[_Bore]
@@ -201,7 +199,7 @@ class HeatBalance(Section):
         "degC", "Temperature of what carries the heat away: cooled oil, or air around the housing.", ge=-40.0, le=200.0
     )
     heat_transfer: Number = quantity("W/(m2 K)", "Coefficient of heat transfer to it.", gt=0.0, le=1e5)
-    area: Annotated[_Area | None, OrNull] = quantity(
+    area: Nullable[_Area] = quantity(
         "m2", "Surface that gives off the heat; null = faces and tip cylinders of both gears."
     )
     immersion: Both[_Immersion]
@@ -274,7 +272,7 @@ class Housing(Section):
 class Backlash(Section):
     """Time-varying backlash."""
 
-    half_backlash: Annotated[HalfBacklash | None, OrNull] = quantity(
+    half_backlash: Nullable[HalfBacklash] = quantity(
         "m", "Half the initial backlash on the line of action; null = half the least one of ISO/TR 10064-2."
     )
     projection: Literal["shi", "exact"] = choice(

@@ -8,30 +8,7 @@ from typing import Annotated, Any, Generic, Literal, NamedTuple
 from pydantic import Field, Strict
 from pydantic.fields import FieldInfo
 
-from gearwear.config.pair import (
-    MOST_CYCLES,
-    Backlash,
-    BoreRadius,
-    Elasticity,
-    Friction,
-    GearPair,
-    Grid,
-    HalfBacklash,
-    Heat,
-    HeatBalance,
-    Lubricant,
-    Material,
-    MeshStiffness,
-    MicroGeometry,
-    Operation,
-    PressureViscosity,
-    Roughness,
-    Speed,
-    TemperatureDrop,
-    Torque,
-    TransmissionError,
-    Wear,
-)
+from gearwear.config import pair
 from gearwear.config.types import (
     Both,
     CaseName,
@@ -39,9 +16,9 @@ from gearwear.config.types import (
     Interval,
     Name,
     Names,
+    Nullable,
     Number,
     Numbers,
-    OrNull,
     Range,
     ReadNumber,
     ReadWhole,
@@ -79,9 +56,7 @@ _Values = Annotated[list[Any], Strict(), Field(min_length=1, max_length=1000)]
 class GearBearing(Section):
     """Bearing of one gear in model translational."""
 
-    mass: Annotated[_Mass | None, OrNull] = quantity(
-        "kg", "Mass that moves on it; null = disc of the pitch radius less the bore."
-    )
+    mass: Nullable[_Mass] = quantity("kg", "Mass that moves on it; null = disc of the pitch radius less the bore.")
     stiffness_along: Number = quantity("N/m", "Stiffness along the line of centres.", ge=1e3, le=1e13)
     stiffness_across: Number = quantity("N/m", "Stiffness across the line of centres.", ge=1e3, le=1e13)
     damping_ratio: Number = quantity("1", "Damping ratio of the mass on the bearing alone.", ge=0.0, lt=1.0)
@@ -212,7 +187,7 @@ class Case(Section):
         "Pinion revolutions of the wear chain; 0 = unworn. A whole multiple of wear.cycles_per_update.",
         "1",
         ge=0,
-        le=MOST_CYCLES,
+        le=pair.MOST_CYCLES,
     )
     flash: Flag = plain("Whether flash temperature is added to the bulk temperature.")
 
@@ -284,7 +259,7 @@ class Maps(Section):
     mesh_frequency: MapAxis
     ste: MapAxis
     backlash: MapAxis
-    temperature: Numbers = quantity(
+    temperature: Annotated[list[_Temperature], Strict()] = quantity(
         "degC", "Bulk temperatures, ascending; each takes a wear chain of its own.", min_length=2, max_length=100
     )
 
@@ -356,44 +331,20 @@ class Onsets(Section):
 class Sensitivity(Section):
     """Ends of the parameters that the paper leaves open, each varied alone by `snakemake -j2 sensitivity`."""
 
-    damping_ratio: Range[Annotated[_DampingRatio, quantity("1", "Value of dynamics.damping_ratio.")]]
-    pinion_torque: Range[
-        Annotated[
-            Torque | None,
-            OrNull,
-            quantity("N m", "Value of operation.pinion_torque; null = 0.8 (low) or 1.2 (high) times it."),
-        ]
-    ]
-    pinion_speed: Range[
-        Annotated[
-            Speed | None,
-            OrNull,
-            quantity("rpm", "Value of operation.pinion_speed; null = 2/3 (low) or 4/3 (high) times it."),
-        ]
-    ]
+    damping_ratio: Range[Annotated[_DampingRatio, quantity("1", "Damping ratio of the mesh.")]]
+    pinion_torque: Range[Annotated[Nullable[pair.Torque], quantity("N m", "Pinion torque; null = 0.8 and 1.2 of it.")]]
+    pinion_speed: Range[Annotated[Nullable[pair.Speed], quantity("rpm", "Pinion speed; null = 2/3 and 4/3 of it.")]]
     pinion_bore_radius: Range[
-        Annotated[
-            BoreRadius | None,
-            OrNull,
-            quantity("m", "Value of gear_pair.bore_radius.pinion; null = 0.8 (low) or 1.25 (high) times it."),
-        ]
+        Annotated[Nullable[pair.BoreRadius], quantity("m", "Bore radius; null = 0.8 and 1.25 of it.")]
     ]
     gear_bore_radius: Range[
-        Annotated[
-            BoreRadius | None,
-            OrNull,
-            quantity("m", "Value of gear_pair.bore_radius.gear; null = 0.8 (low) or 1.25 (high) times it."),
-        ]
+        Annotated[Nullable[pair.BoreRadius], quantity("m", "Bore radius; null = 0.8 and 1.25 of it.")]
     ]
-    pressure_viscosity: Range[Annotated[PressureViscosity, quantity("1/Pa", "Value of lubricant.pressure_viscosity.")]]
-    composite_roughness: Range[Annotated[Roughness, quantity("m", "Value of lubricant.composite_roughness.")]]
-    shaft_temperature_drop: Range[Annotated[TemperatureDrop, quantity("K", "Value of heat.shaft_temperature_drop.")]]
+    pressure_viscosity: Range[Annotated[pair.PressureViscosity, quantity("1/Pa", "Pressure-viscosity coefficient.")]]
+    composite_roughness: Range[Annotated[pair.Roughness, quantity("m", "Composite rms roughness.")]]
+    shaft_temperature_drop: Range[Annotated[pair.TemperatureDrop, quantity("K", "Shaft below base circle.")]]
     half_backlash: Range[
-        Annotated[
-            HalfBacklash | None,
-            OrNull,
-            quantity("m", "Value of backlash.half_backlash; null = 0.5 (low) or 1.25 (high) times it."),
-        ]
+        Annotated[Nullable[pair.HalfBacklash], quantity("m", "Half backlash; null = 0.5 and 1.25 of it.")]
     ]
 
 
@@ -477,20 +428,20 @@ class Study(Section):
 class Configuration(Section):
     """The whole configuration of a run."""
 
-    gear_pair: GearPair
-    micro_geometry: MicroGeometry
-    grid: Grid
-    material: Material
-    elasticity: Elasticity
-    operation: Operation
-    lubricant: Lubricant
-    friction: Friction
-    heat: Heat
-    heat_balance: HeatBalance
-    mesh_stiffness: MeshStiffness
-    transmission_error: TransmissionError
-    backlash: Backlash
-    wear: Wear
+    gear_pair: pair.GearPair
+    micro_geometry: pair.MicroGeometry
+    grid: pair.Grid
+    material: pair.Material
+    elasticity: pair.Elasticity
+    operation: pair.Operation
+    lubricant: pair.Lubricant
+    friction: pair.Friction
+    heat: pair.Heat
+    heat_balance: pair.HeatBalance
+    mesh_stiffness: pair.MeshStiffness
+    transmission_error: pair.TransmissionError
+    backlash: pair.Backlash
+    wear: pair.Wear
     dynamics: Dynamics
     settling: Settling
     oscillators: dict[CaseName, GivenOscillator] = plain("Oscillators given by their equation.")

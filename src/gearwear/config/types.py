@@ -118,7 +118,7 @@ Name = Annotated[str, Strict()]
 CaseName = Annotated[str, Strict(), WithJsonSchema({"type": "string", "pattern": f"^{CASE_NAME}$"})]  # see rules.py
 Names = Annotated[list[Name], Strict()]
 Numbers = Annotated[list[Number], Strict()]
-OrNull = BeforeValidator(_read_nullable)
+Nullable = Annotated[Value | None, BeforeValidator(_read_nullable)]
 OrOff = BeforeValidator(_read_off)
 
 

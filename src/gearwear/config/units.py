@@ -36,41 +36,19 @@ _EXAMPLES = {
 
 _PI = "3.14159265358979323846264338327950288419716939937510"
 _BASES = ("m", "kg", "s", "K", "rad", "C")  # C is the coulomb, so that 100 C is not taken for a temperature
-_UNITS = {
-    "g": "0.001 kg",
-    "t": "1000 kg",
-    "lb": "0.45359237 kg",
-    "micron": "0.000001 m",
-    "in": "0.0254 m",
-    "inch": "1 in",
-    "ft": "12 in",
-    "min": "60 s",
-    "h": "60 min",
-    "Hz": "1 1/s",
-    "L": "0.001 m3",
-    "l": "1 L",
-    "N": "1 kg m/s2",
-    "Nm": "1 N m",
-    "kgf": "9.80665 N",
-    "lbf": "4.4482216152605 N",
-    "Pa": "1 N/m2",
-    "bar": "100000 Pa",
-    "psi": "1 lbf/in2",
-    "ksi": "1000 psi",
-    "J": "1 N m",
-    "W": "1 J/s",
-    "P": "0.1 Pa s",
-    "St": "0.0001 m2/s",
-    "deg": f"{Fraction(_PI) / 180} rad",
-    "rev": "360 deg",
-    "rpm": "1 rev/min",
-    "degC": "1 K",
-    "°C": "1 K",
-    "delta_degC": "1 K",
-    "degF": "5/9 K",
-    "°F": "5/9 K",
-    "delta_degF": "5/9 K",
-}
+_UNITS = dict(
+    definition.split(" = ")
+    for definition in f"""
+g = 0.001 kg; t = 1000 kg; lb = 0.45359237 kg; min = 60 s; h = 60 min; Hz = 1 1/s
+micron = 0.000001 m; in = 0.0254 m; inch = 1 in; ft = 12 in; L = 0.001 m3; l = 1 L
+N = 1 kg m/s2; Nm = 1 N m; kgf = 9.80665 N; lbf = 4.4482216152605 N; J = 1 N m; W = 1 J/s
+Pa = 1 N/m2; bar = 100000 Pa; psi = 1 lbf/in2; ksi = 1000 psi; P = 0.1 Pa s; St = 0.0001 m2/s
+deg = {Fraction(_PI) / 180} rad; rev = 360 deg; rpm = 1 rev/min
+degC = 1 K; °C = 1 K; delta_degC = 1 K; degF = 5/9 K; °F = 5/9 K; delta_degF = 5/9 K
+""".strip()
+    .replace("\n", "; ")
+    .split("; ")
+)
 _PREFIXES = {"n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "d": -1, "h": 2, "k": 3, "M": 6, "G": 9, "T": 12}
 _PREFIXED = ("m", "g", "s", "K", "rad", "C", "Hz", "L", "l", "N", "Nm", "Pa", "bar", "J", "W", "P", "St")
 _CELSIUS, _FAHRENHEIT = Fraction("273.15"), Fraction("459.67") * 5 / 9
