@@ -358,8 +358,8 @@ def test_a_bad_key_gives_its_message(path, value, text):
         (
             {"maps.temperature": ["20 degC", "60 K s"]},
             [
-                "maps.temperature[1]: text '60 K s' has a unit that does not convert to degC; give a number degC "
-                "(or with its unit, such as 373.15 K)"
+                "maps.temperature[1]: text '60 K s' has a unit that does not convert to degC; give a number "
+                "from -40 to 250 degC (or with its unit, such as 373.15 K)"
             ],
         ),
         (
@@ -395,8 +395,8 @@ def test_a_bad_key_gives_its_message(path, value, text):
             {"elasticity": [{"lw": "li"}, {"calibration": -1}]},
             [
                 "elasticity: a list of 2 is not a section; give the keys law and calibration below it",
-                "elasticity.lw: unknown key (did you mean elasticity.law?)",
                 "elasticity.calibration: -1.0 is below the least allowed value 0; give a number from 0 to 20",
+                "elasticity.lw: unknown key (did you mean elasticity.law?)",
             ],
         ),
         (
@@ -427,9 +427,9 @@ def test_a_bad_key_gives_its_message(path, value, text):
         (
             {"dynamics": DROP, "dynamic": {}},
             [
-                "dynamic: unknown key (did you mean dynamics?)",
                 "dynamics: missing section; give its keys model, reference_case, damping_ratio, stiffness, harmonics, "
                 "ste_amplitude, clearance, torque_fluctuation, bearings, tolerance and start",
+                "dynamic: unknown key (did you mean dynamics?)",
             ],
         ),
     ],

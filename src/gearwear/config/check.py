@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from functools import reduce
+from collections.abc import Mapping
 from typing import Any
 
 from pydantic import ValidationError
+from pydantic.fields import FieldInfo
 
 from gearwear.config import derived
-from gearwear.config.messages import places_of, problems_of
+from gearwear.config.messages import Place, problems_of
 from gearwear.config.rules import disagreements
 from gearwear.config.study import Configuration
 from gearwear.config.text import Problem, dotted
-from gearwear.config.tree import copied
 from gearwear.config.types import UNUSABLE
 from gearwear.errors import ConfigError
 
 _MOST_LINES = 200
+_MOST_ROUNDS = 8
 
 
 def check(raw: Any) -> dict[str, Any]:
@@ -59,25 +60,37 @@ def _validated(raw: Any) -> tuple[dict[str, Any], list[Problem]]:
     try:
         return Configuration.model_validate(raw).model_dump(), []
     except ValidationError as error:
-        return _usable(raw, error), problems_of(error, raw)
+        return _usable(raw), problems_of(error, Place((), Configuration, FieldInfo(), raw))
 
 
-def _usable(raw: Any, error: ValidationError) -> dict[str, Any]:
+def _usable(raw: Any) -> dict[str, Any]:
     """Return the values that are valid on their own; others are absent."""
-    values = copied(raw)
-    for place in places_of(error, raw):
-        if not place.keys:
-            return {}
-        *groups, last = place.keys
-        around = reduce(lambda group, name: group.get(name, {}), groups, values)
-        if place.blank is None:
-            around.pop(last, None)
-        else:
-            around[last] = place.blank
-    return _stripped(Configuration.model_validate(values).model_dump(warnings=False))
+    values = _stripped(raw) if isinstance(raw, Mapping) else {}
+    for _ in range(_MOST_ROUNDS):
+        try:
+            return _stripped(Configuration.model_validate(values).model_dump(warnings=False))
+        except ValidationError as error:
+            for details in error.errors(include_url=False):
+                _blank(values, details["loc"], details["type"] == "missing")
+    return {}
 
 
 def _stripped(values: Any) -> Any:
-    if not isinstance(values, dict):
+    """Return a copy of nested dicts without unusable values and names that are not text."""
+    if not isinstance(values, Mapping):
         return values
-    return {name: _stripped(value) for name, value in values.items() if value is not UNUSABLE}
+    return {name: _stripped(value) for name, value in values.items() if isinstance(name, str) and value is not UNUSABLE}
+
+
+def _blank(group: dict[Any, Any], path: tuple[Any, ...], missing: bool) -> None:
+    """Mark a bad or missing value as unusable; where no mark is allowed, empty it; else take it out."""
+    name, *rest = path
+    value = group.get(name)
+    if rest and isinstance(value, dict) and (missing or rest[0] in value):
+        _blank(value, tuple(rest), missing)
+    elif value is UNUSABLE:
+        group[name] = {}
+    elif value == {}:
+        del group[name]
+    else:
+        group[name] = UNUSABLE

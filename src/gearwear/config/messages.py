@@ -12,7 +12,7 @@ from pydantic.fields import FieldInfo
 
 from gearwear.config.study import Configuration
 from gearwear.config.text import Path, Problem, dotted, figure, listed, shown
-from gearwear.config.types import UNUSABLE, entry_type, free_names, is_section, keys, schema_of, unit_of
+from gearwear.config.types import entry_type, free_names, is_section, keys, schema_of, unit_of
 from gearwear.config.units import example
 
 _LONGEST_KEY = 60
@@ -41,89 +41,67 @@ _MISSING = "missing"
 
 
 class Place(NamedTuple):
-    """Where an error is.
-
-    path : keys and "[i]" for positions in lists; kind, field : type and declaration there; given : value as written;
-    rank : position in the order of the models; keys : path without positions; blank : what may replace the value where
-    only the others are wanted, None if nothing may.
-    """
+    """Where an error is: path with "[i]" for positions in lists, type and declaration of the key, value as written."""
 
     path: Path
     kind: Any
     field: FieldInfo
     given: Any
-    rank: tuple[int, ...] = ()
-    keys: Path = ()
-    blank: Any = None
 
 
-def problems_of(error: ValidationError, raw: Any, root: Place | None = None) -> list[Problem]:
-    """Return path and message of every problem in the order of the models, unknown keys first in their section.
+def problems_of(error: ValidationError, place: Place) -> list[Problem]:
+    """Return path and message of every problem in the order of the models, unknown keys last in their section.
 
     Parameters
     ----------
-    raw : what was validated.
-    root : place of `raw` in the configuration; None is the whole of it.
+    place : of what was validated.
     """
     problems: dict[Path, str] = {}
-    found = zip(places_of(error, raw, root), error.errors(include_url=False), strict=True)
-    for place, details in sorted(found, key=lambda item: item[0].rank):
+    for details in error.errors(include_url=False):
+        found = _place_of(details, place)
         # A choice of types yields one error for each of them; the first says enough.
-        if place.path not in problems:
-            problems[place.path] = _message(details, place)
-            problems |= _below(place)
+        if found.path not in problems:
+            problems[found.path] = _message(details, found)
+            problems |= _below(found)
     return list(problems.items())
 
 
-def places_of(error: ValidationError, raw: Any, root: Place | None = None) -> list[Place]:
-    """Return the place of every error that pydantic found in `raw`."""
-    root = root or Place((), Configuration, FieldInfo(), raw)
-    return [_place_of(details, root) for details in error.errors(include_url=False)]
-
-
 def _place_of(details: Mapping[str, Any], place: Place) -> Place:
-    """Return the place of a pydantic error; that of an unknown key has the type of the section around it."""
+    """Return the place of a pydantic error; an unknown key, or one that is not text, has the type of what it is in."""
+    path, kind, field, given = place
     for part in details["loc"]:
-        path, kind, field, given, rank, names, _ = place
         if part == "[key]" and details["type"].startswith("string_"):
-            key = details["input"]
-            return place._replace(path=(*path[:-1], key), keys=(*names[:-1], key), blank=None)
+            return Place((*path[:-1], details["input"]), kind, field, given)
         if is_section(kind) and part not in kind.model_fields:
-            key = details["input"] if details["type"] == "invalid_key" else part
-            return Place((*path, key), kind, field, given, (*rank, -1), (*names, key))
-        try:
-            below = given[part]
-        except (LookupError, TypeError):  # missing
-            below = None
+            return Place((*path, details["input"] if details["type"] == "invalid_key" else part), kind, field, given)
         if is_section(kind):
-            field, place_in = kind.model_fields[part], list(kind.model_fields).index(part)
-            place = Place((*path, part), field.annotation, field, below, (*rank, place_in), (*names, part), UNUSABLE)
+            field = kind.model_fields[part]
+            path, kind = (*path, part), field.annotation
         elif entry_type(kind) is not None:
-            place_in = list(given).index(part) if part in given else 0
-            entry = entry_type(kind)
-            blank = dict.fromkeys(entry.model_fields, UNUSABLE) if is_section(entry) else None
-            place = Place((*path, part), entry, field, below, (*rank, place_in), (*names, part), blank)
+            path, kind = (*path, part), entry_type(kind)
         elif isinstance(part, int):
-            place = place._replace(path=(*path, f"[{part}]"), given=below, rank=(*rank, part))
-        # Else the part names a type of a choice.
-    return place
+            path = (*path, f"[{part}]")
+        else:  # a type of a choice
+            continue
+        try:
+            given = given[part]
+        except (LookupError, TypeError):  # missing
+            given = None
+    return Place(path, kind, field, given)
 
 
 def _below(place: Place) -> dict[Path, str]:
     """Return the problems in the keys of a list of one-key sections: what YAML reads with a dash before every key."""
-    groups = (
-        [item for item in place.given if isinstance(item, Mapping)] if isinstance(place.given, list | tuple) else []
-    )
-    if not groups or not (is_section(place.kind) or _is_table(place)):
-        return {}
+    groups = [item for item in place.given if isinstance(item, Mapping)] if isinstance(place.given, list) else []
     given = {key: group[key] for group in groups for key in group}
+    if not given or not (is_section(place.kind) or _is_table(place)):
+        return {}
     try:
         TypeAdapter(place.kind).validate_python(given)
     except ValidationError as error:
-        found = problems_of(error, given, place._replace(given=given))
-        return {
-            path: text for path, text in found if not (len(path) == len(place.path) + 1 and text.startswith(_MISSING))
-        }
+        keys_of = len(place.path) + 1
+        found = problems_of(error, place._replace(given=given))
+        return {path: text for path, text in found if len(path) > keys_of or not text.startswith(_MISSING)}
     return {}
 
 

@@ -44,8 +44,3 @@ def dotted_keys(values: Mapping[str, Any], before: str = "") -> list[str]:
     for name, value in values.items():
         found += dotted_keys(value, f"{before}{name}.") if isinstance(value, dict) else [f"{before}{name}"]
     return found
-
-
-def copied(values: Any) -> Any:
-    """Return a copy of nested dicts; their values are shared."""
-    return {key: copied(value) for key, value in values.items()} if isinstance(values, Mapping) else values

@@ -1,6 +1,6 @@
 """Values at dotted keys of nested dicts."""
 
-from gearwear.config.tree import copied, dotted_keys, merged, nested, value_at
+from gearwear.config.tree import dotted_keys, merged, nested, value_at
 
 
 def test_dotted_keys_become_groups():
@@ -15,13 +15,6 @@ def test_groups_are_merged_and_all_else_is_replaced():
     base = {"a": {"b": 1, "c": [1, 2]}, "d": 3}
     assert merged(base, {"a": {"c": [4]}, "d": {"e": 5}}) == {"a": {"b": 1, "c": [4]}, "d": {"e": 5}}
     assert base == {"a": {"b": 1, "c": [1, 2]}, "d": 3}
-
-
-def test_a_copy_shares_no_group():
-    values = {"a": {"b": [1]}}
-    other = copied(values)
-    other["a"]["b"] = 2
-    assert values == {"a": {"b": [1]}}
 
 
 def test_value_at_passes_over_what_is_absent():
