@@ -18,7 +18,7 @@ import yaml  # noqa: E402
 
 import gearwear  # noqa: E402
 from gearwear.config.check import check  # noqa: E402
-from gearwear.config.key_table import table_text  # noqa: E402
+from gearwear.config.documents import table_text  # noqa: E402
 from gearwear.config.slices import STAGES  # noqa: E402
 from gearwear.io import data_dictionary  # noqa: E402
 from gearwear.run import help as targets  # noqa: E402

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 from pydantic import ValidationError
+from pydantic.fields import FieldInfo
 
 from gearwear.chain import deformation as growth_stage
 from gearwear.chain import geometry as geometry_stage
@@ -15,12 +16,11 @@ from gearwear.chain import mesh as mesh_stages
 from gearwear.chain import response as response_stage
 from gearwear.chain import temperature as temperature_stage
 from gearwear.chain import wear as wear_stage
-from gearwear.config import gear_sections, study_sections
+from gearwear.config import pair as sections
+from gearwear.config import study
 from gearwear.config.derived import RULES
-from gearwear.config.key_types import Section, adapter_of, is_section, unit_of
-from gearwear.config.micro_geometry_sections import MicroGeometry
-from gearwear.config.surroundings_sections import HeatBalance as HeatBalanceSection
-from gearwear.config.wording import refusal
+from gearwear.config.messages import Place, problems_of
+from gearwear.config.types import Section
 from gearwear.dynamics import SETTLING, Oscillator, described
 from gearwear.errors import GearwearError
 from gearwear.geometry.involute import GEARS
@@ -410,7 +410,7 @@ class GearPair:
         friction = {"law": friction_law, "dry": dry_friction, "boundary": boundary_friction}
         renamed = {"law": "friction_law", "dry": "dry_friction", "boundary": "boundary_friction"}
         cfg = self._at(bulk_temperature, flash) | self._under(torque, speed) | _heat_balance(heat_balance)
-        cfg["friction"] = _checked(gear_sections.Friction, friction, **renamed)
+        cfg["friction"] = _checked(sections.Friction, friction, **renamed)
         cfg["heat"] = self._heat(flash_coefficient=flash_coefficient)
         return described(temperature_stage.temperature(cfg, self.geometry))
 
@@ -526,7 +526,7 @@ class GearPair:
             )
         cfg = self._at(bulk_temperature) | self._under(torque, speed)
         cfg["wear"] = _checked(
-            study_sections.Wear,
+            sections.Wear,
             {
                 "cycles_per_update": cycles_per_update,
                 "law": law,
@@ -652,7 +652,7 @@ class GearPair:
 
     def _at(self, bulk_temperature: float, flash: bool = True) -> dict[str, Any]:
         case = {"bulk_temperature": bulk_temperature, "running_cycles": 0, "flash": flash}
-        checked = _checked(study_sections.Case, case)
+        checked = _checked(study.Case, case)
         if isinstance(checked["bulk_temperature"], str):
             raise GearwearError("bulk_temperature: give degC; GearPair.bulk_temperature returns that of the balance")
         return self._cfg | {"case": checked, "heat": self._heat()}
@@ -666,13 +666,13 @@ class GearPair:
             "hub": "free_bore",
             "growth": "paper",
         }
-        return _checked(gear_sections.Heat, usual | changed)
+        return _checked(sections.Heat, usual | changed)
 
     @staticmethod
     def _under(torque: float, speed: float = 1.0) -> dict[str, Any]:
         operation = {"pinion_torque": torque, "pinion_speed": speed}
         renamed = {"pinion_torque": "torque", "pinion_speed": "speed"}
-        return {"operation": _checked(gear_sections.Operation, operation, **renamed)}
+        return {"operation": _checked(sections.Operation, operation, **renamed)}
 
 
 def _same(*names: str) -> dict[str, str]:
@@ -682,7 +682,7 @@ def _same(*names: str) -> dict[str, str]:
 # Sections of the configuration that describe a pair: model, and the argument of GearPair behind every key.
 _SECTIONS: dict[str, tuple[type[Section], dict[str, str]]] = {
     "gear_pair": (
-        gear_sections.GearPair,
+        sections.GearPair,
         _same(
             "teeth",
             "module",
@@ -696,21 +696,21 @@ _SECTIONS: dict[str, tuple[type[Section], dict[str, str]]] = {
             "inertia",
         ),
     ),
-    "micro_geometry": (MicroGeometry, _same("tip_relief", "spacing_error", "base_pitch_difference")),
-    "grid": (gear_sections.Grid, _same("mesh_cells")),
-    "material": (gear_sections.Material, _same(*GEARS)),
-    "elasticity": (gear_sections.Elasticity, {"law": "modulus_law", "calibration": "modulus_calibration"}),
-    "lubricant": (gear_sections.Lubricant, _same(*Lubricant._fields)),
+    "micro_geometry": (sections.MicroGeometry, _same("tip_relief", "spacing_error", "base_pitch_difference")),
+    "grid": (sections.Grid, _same("mesh_cells")),
+    "material": (sections.Material, _same(*GEARS)),
+    "elasticity": (sections.Elasticity, {"law": "modulus_law", "calibration": "modulus_calibration"}),
+    "lubricant": (sections.Lubricant, _same(*Lubricant._fields)),
     "mesh_stiffness": (
-        gear_sections.MeshStiffness,
+        sections.MeshStiffness,
         _same("cantilever", "fillet_angle", "hertz", "profile_changes", "pairs", "foundation_coupling"),
     ),
     "transmission_error": (
-        gear_sections.TransmissionError,
+        sections.TransmissionError,
         {"mode": "error_mode", "heat": "error_heat", "heat_in_load_sharing": "heat_in_load_sharing"},
     ),
     "backlash": (
-        gear_sections.Backlash,
+        sections.Backlash,
         {"projection": "backlash_projection", **_same("half_backlash", "centre_distance_change", "housing")},
     ),
 }
@@ -752,12 +752,12 @@ def _dynamics(
         "start": {"at": start, "displacement": displacement, "velocity": velocity},
         "tolerance": tolerance,
     }
-    return _checked(study_sections.Dynamics, values, at="start")
+    return _checked(study.Dynamics, values, at="start")
 
 
 def _heat_balance(given: HeatBalance) -> dict[str, Any]:
     values = given._asdict() | {"immersion": _both("immersion", given.immersion)}
-    return {"heat_balance": _checked(HeatBalanceSection, values)}
+    return {"heat_balance": _checked(sections.HeatBalance, values)}
 
 
 def _sections(given: dict[str, Any]) -> dict[str, Any]:
@@ -809,16 +809,7 @@ def _checked(section: type[Section], values: dict[str, Any], **arguments: str) -
     try:
         return section.model_validate(values).model_dump()
     except ValidationError as refused:
-        error = refused.errors(include_url=False)[0]
-    model, path, given = section, [], values
-    for part in map(str, error["loc"]):
-        field = model.model_fields[part]
-        path.append(part)
-        given = given[part] if isinstance(given, dict) else given
-        if not is_section(field.annotation):
-            break
-        model = field.annotation
-    words = refusal(error, given, adapter_of(field).json_schema(), unit_of(field))
+        path, words = problems_of(refused, Place((), section, FieldInfo(), values))[0]
     name = arguments.get(path[-1], ".".join(part for part in path if part not in GEARS))
     gear = "".join(f" of the {part}" for part in path if part in GEARS)
     raise GearwearError(f"{name}{gear}: {words}")

@@ -8,10 +8,10 @@ import pytest
 import yaml
 
 from gearwear.config.check import ConfigError, check
-from gearwear.config.key_types import entry_type, is_section, keys
 from gearwear.config.members import members, merged
-from gearwear.config.study_sections import Configuration
-from gearwear.config.wording import dotted
+from gearwear.config.study import Configuration
+from gearwear.config.text import dotted
+from gearwear.config.types import entry_type, is_section, keys
 
 ROOT = Path(__file__).resolve().parents[2]
 SEED = 77

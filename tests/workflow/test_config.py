@@ -9,10 +9,10 @@ import yaml
 from snakemake.utils import update_config
 
 from gearwear.config.check import ConfigError, check
-from gearwear.config.key_table import SCHEMA_FILE, readers, schema_text, table_text
-from gearwear.config.key_types import entry_type, is_section, keys, placeholder
+from gearwear.config.documents import SCHEMA_FILE, readers, schema_text, table_text
 from gearwear.config.slices import STAGES
-from gearwear.config.study_sections import Configuration
+from gearwear.config.study import Configuration
+from gearwear.config.types import entry_type, is_section, keys, placeholder
 
 ROOT = Path(__file__).resolve().parents[2]
 DROP = object()
@@ -76,7 +76,7 @@ def test_the_schema_accepts_the_checked_configuration_and_refuses_a_bad_one():
 
 
 def test_the_schema_is_up_to_date():
-    assert (ROOT / SCHEMA_FILE).read_text(encoding="utf-8") == schema_text(), "run gearwear.config.key_table"
+    assert (ROOT / SCHEMA_FILE).read_text(encoding="utf-8") == schema_text(), "run gearwear.config.documents"
 
 
 def test_the_table_follows_the_stages_given():
@@ -356,8 +356,8 @@ def test_a_bad_key_gives_its_message(path, value, text):
         (
             {"maps.temperature": ["20 degC", "60 K s"]},
             [
-                "maps.temperature[1]: text '60 K s' has a unit that does not convert to degC; give a number degC "
-                "(or with its unit, such as 373.15 K)"
+                "maps.temperature[1]: text '60 K s' has a unit that does not convert to degC; give a number "
+                "from -40 to 250 degC (or with its unit, such as 373.15 K)"
             ],
         ),
         (
@@ -383,18 +383,18 @@ def test_a_bad_key_gives_its_message(path, value, text):
             },
             [
                 "basins.resolution: 1 is below the least allowed value 2; give a whole number from 2 to 500",
+                "basins.velocity.last: 1.0 is not above basins.velocity.first, 1.0; exchange them or widen the range",
                 "basins.points.ste.with[1]: 3.5 is outside the swept range, 0.1 to 3.0; "
                 "take it out or widen sweeps.ste",
                 "basins.points.ste.wthout: text 'wthout' is no case (did you mean without?)",
-                "basins.velocity.last: 1.0 is not above basins.velocity.first, 1.0; exchange them or widen the range",
             ],
         ),
         (
             {"elasticity": [{"lw": "li"}, {"calibration": -1}]},
             [
                 "elasticity: a list of 2 is not a section; give the keys law and calibration below it",
-                "elasticity.lw: unknown key (did you mean elasticity.law?)",
                 "elasticity.calibration: -1.0 is below the least allowed value 0; give a number from 0 to 20",
+                "elasticity.lw: unknown key (did you mean elasticity.law?)",
             ],
         ),
         (
@@ -425,9 +425,9 @@ def test_a_bad_key_gives_its_message(path, value, text):
         (
             {"dynamics": DROP, "dynamic": {}},
             [
-                "dynamic: unknown key (did you mean dynamics?)",
                 "dynamics: missing section; give its keys model, reference_case, damping_ratio, stiffness, harmonics, "
                 "ste_amplitude, clearance, torque_fluctuation, bearings, tolerance and start",
+                "dynamic: unknown key (did you mean dynamics?)",
             ],
         ),
     ],

@@ -11,7 +11,7 @@ RULES = "\n".join(path.read_text() for path in sorted((ROOT / "workflow" / "rule
 BLOCKS = dict(re.findall(r"^rule (\w+):\n(.*?)(?=^\S|\Z)", RULES, flags=re.MULTILINE | re.DOTALL))
 PROFILES = ROOT / "profiles"
 DEFAULT, SLURM = (yaml.safe_load((PROFILES / name / "config.yaml").read_text()) for name in ("default", "slurm"))
-# The most that any job took, with numba compiling, and the two snakemakes beside it on the node: docs/how-to/cluster.md.
+# The most that any job took, with numba compiling, and the two snakemakes beside it on the node.
 LARGEST_JOB = 485 + 2 * 171
 
 

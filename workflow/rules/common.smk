@@ -10,7 +10,7 @@ from gearwear.config.histories import (
     history_of,
     updates_of,
 )
-from gearwear.config.key_types import SWEEPS
+from gearwear.config.parameters import SWEEPS
 from gearwear.config.members import members, refusal, temperature_root
 from gearwear.config.slices import slice_of
 from gearwear.heat.bulk import resolved

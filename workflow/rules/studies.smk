@@ -1,9 +1,8 @@
 """Studies: every combination of some values of some keys is a member; the sensitivity is one of them."""
 
 from gearwear.config import variations
-from gearwear.config.declared import declared_at
-from gearwear.config.grids import combinations
-from gearwear.config.members import overrides_of
+from gearwear.config.members import combinations, overrides_of
+from gearwear.config.study import declared_at
 
 
 def refused(root, overrides):

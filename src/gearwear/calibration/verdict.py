@@ -13,7 +13,7 @@ from gearwear.calibration.candidate import SWEPT, pair_of, settled_sweeps
 from gearwear.calibration.search import grid_of
 from gearwear.calibration.table import STUDY
 from gearwear.config.calibration_parameters import NAMES, OSCILLATOR, ends, values_of, with_values
-from gearwear.config.key_types import SWEEPS
+from gearwear.config.parameters import SWEEPS
 from gearwear.oscillator.periodic import sum_of_harmonics
 
 _APART = 0.02  # of the range of a parameter: candidates closer than this in all of them are one

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from gearwear.config.sensitivity_parameters import ENDS, PLACES, value_at
+from gearwear.config.parameters import ENDS, PLACES
+from gearwear.config.tree import merged, nested, value_at
 
 _BODY_SHARE = 0.45
 _SPREADS = {
@@ -20,7 +21,7 @@ _SPREADS = {
 class Rule(NamedTuple):
     """How a key follows from others: the sentence that stands in the results, and the value."""
 
-    told: str
+    text: str
     value: Callable[[dict[str, Any]], float]
 
 
@@ -63,16 +64,9 @@ RULES: dict[str, Rule] = {
 def resolved(config: dict[str, Any]) -> dict[str, Any]:
     """Return a valid configuration with a number for every null that follows from other values.
 
-    They have four digits: no more is known of them.
+    They have four digits: no more is known of them. A configuration without such a null is returned as it is.
     """
-    config = _copied(config)
     for key, rule in RULES.items():
-        *way, last = key.split(".")
-        section = value_at(config, ".".join(way))
-        if section[last] is None:
-            section[last] = float(f"{rule.value(config):.4g}")
+        if value_at(config, key) is None:
+            config = merged(config, nested({key: float(f"{rule.value(config):.4g}")}))
     return config
-
-
-def _copied(values: Any) -> Any:
-    return {key: _copied(value) for key, value in values.items()} if isinstance(values, dict) else values

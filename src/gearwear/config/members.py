@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import itertools
+import re
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 from gearwear.config import ensemble, variations
 from gearwear.config.check import check, refused
-from gearwear.config.grids import combinations, nested, slug
-from gearwear.config.rules import Problem
-from gearwear.config.wording import dotted
+from gearwear.config.study import Configuration
+from gearwear.config.text import Problem, dotted
+from gearwear.config.tree import merged, nested
 from gearwear.errors import ConfigError
 
 Overrides = Mapping[str, Any]
+_LONGEST_NAME = 60
 
 
 def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
@@ -33,6 +36,7 @@ def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
     ConfigError : with one line for every problem of any member, naming the member and the key.
     """
     found, problems = {"": config}, list[tuple[str, Problem]]()
+    sections = dict(Configuration.model_validate(config))
     for study, table in _studies(config).items():
         for member, overrides in table.items():
             root = f"studies/{study}/{member}/"
@@ -40,7 +44,7 @@ def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
                 problems.append((root, (("studies",), "a member has no studies of its own; take them out")))
                 continue
             try:
-                found[root] = check(merged({**config, "studies": {}}, overrides), config)
+                found[root] = check(_overridden(config, overrides, sections))
             except ConfigError as error:
                 if study == variations.STUDY or config["studies"].get(study, {}).get("grid"):
                     continue
@@ -53,21 +57,49 @@ def members(config: dict[str, Any]) -> dict[str, dict[str, Any]]:
 def refusal(config: dict[str, Any], overrides: Overrides) -> str:
     """Return why the configuration with these overrides is refused, one problem after another; "" if it is not."""
     try:
-        check(merged({**config, "studies": {}}, overrides), config)
+        check(_overridden(config, overrides, {}))
     except ConfigError as error:
         return "; ".join(f"{dotted(path)}: {text}" for _, (path, text) in error.problems)
     return ""
 
 
-def merged(base: Overrides, overrides: Overrides) -> dict[str, Any]:
-    """Return `base` with `overrides` laid over it: groups of keys are merged, all else is replaced."""
-    result = dict(base)
-    for key, value in overrides.items():
-        below = result.get(key)
-        if isinstance(below, Mapping) and isinstance(value, Mapping):
-            value = merged(below, value)
-        result[key] = value
-    return result
+def _overridden(config: dict[str, Any], overrides: Overrides, sections: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the configuration of a member; `sections` are validated already and serve where nothing is overridden."""
+    return merged(
+        config | {name: sections[name] for name in sections.keys() - overrides.keys()} | {"studies": {}}, overrides
+    )
+
+
+class Combination(NamedTuple):
+    """One member of a grid: its name, and the value of every key of the grid, in their order."""
+
+    name: str
+    values: dict[str, Any]
+
+
+def combinations(grid: dict[str, list[Any]]) -> list[Combination]:
+    """Return every combination, the last key changing fastest.
+
+    A name is made of the last part of every key and its value; where such names are too long, or not all different,
+    the combinations are numbered.
+
+    Parameters
+    ----------
+    grid : values of every dotted key.
+    """
+    if not grid:
+        return []
+    rows = [dict(zip(grid, row, strict=True)) for row in itertools.product(*grid.values())]
+    names = ["__".join(f"{key.rsplit('.', 1)[-1]}_{slug(value)}" for key, value in row.items()) for row in rows]
+    if len(set(names)) < len(names) or any(len(name) > _LONGEST_NAME for name in names):
+        names = [f"member_{number:04d}" for number in range(1, len(rows) + 1)]
+    return [Combination(name, row) for name, row in zip(names, rows, strict=True)]
+
+
+def slug(value: Any) -> str:
+    """Return a value as part of a name: small letters, digits and underscores."""
+    text = f"{value:g}" if isinstance(value, int | float) and not isinstance(value, bool) else str(value)
+    return re.sub(r"[^a-z0-9]+", "_", text.lower().replace("-", "m").replace("+", ""))
 
 
 def temperature_root(value: float) -> str:

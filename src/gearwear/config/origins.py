@@ -1,7 +1,8 @@
-"""Where the values of a configuration come from: the comments of the files, the command line, the derived values."""
+"""Every value of a configuration with its origin: the comment in a file, the command line, a derived value."""
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
@@ -9,7 +10,10 @@ from typing import Any, NamedTuple
 import yaml
 
 from gearwear.config.derived import RULES
+from gearwear.config.study import leaves
+from gearwear.config.types import unit_of
 
+COLUMNS = ("key", "value", "unit", "origin", "meaning")
 COMMAND_LINE = "command line"
 DEFAULT = "default"
 _COMMENT = re.compile(r"\s#\s*(.*?)\s*$")
@@ -20,7 +24,7 @@ Path = tuple[str, ...]
 
 
 class Layer(NamedTuple):
-    """A file of the configuration, or the command line: for every key it sets, whether to null and the source told."""
+    """A file of the configuration, or the command line: for every key it sets, whether to null, and the source."""
 
     name: str
     set_to_null: dict[Path, bool]
@@ -28,7 +32,7 @@ class Layer(NamedTuple):
 
 
 def file_layer(name: str, text: str) -> Layer:
-    """Return what the YAML `text` of a file sets, with the sources that its comments tell.
+    """Return what the YAML `text` of a file sets, with the sources in its comments.
 
     The comment at the end of a line belongs to all keys of the line; that of a section to the keys below it without a
     source of their own. A source begins with `text`, `field`, `fit` or `choice`, first or after a semicolon.
@@ -36,8 +40,8 @@ def file_layer(name: str, text: str) -> Layer:
     layer, lines = Layer(name, {}, {}), text.splitlines()
     for path, key, value in _nodes(yaml.compose(text, yaml.SafeLoader), ()):
         comment = _COMMENT.search(lines[key.start_mark.line])
-        told = _SOURCE.search(comment[1]) if comment else None
-        layer.source[path] = told[1] if told else layer.source.get(path[:-1], "")
+        source = _SOURCE.search(comment[1]) if comment else None
+        layer.source[path] = source[1] if source else layer.source.get(path[:-1], "")
         layer.set_to_null[path] = value.tag.endswith(":null")
     return layer
 
@@ -66,7 +70,7 @@ def origin(path: Path, layers: Sequence[Layer]) -> str:
     Returns
     -------
     `derived: ` and the rule; or the name of the overlay that sets the value and its source; or the source in the
-    default file, `default` where that tells none.
+    default file, `default` where that names none.
     """
     setting = [layer for layer in layers if path in layer.set_to_null]
     rule = RULES.get(".".join(path))
@@ -74,11 +78,24 @@ def origin(path: Path, layers: Sequence[Layer]) -> str:
         return DEFAULT
     last = setting[-1]
     if rule and last.set_to_null[path]:
-        return f"derived: {rule.told}"
+        return f"derived: {rule.text}"
     source = last.source.get(path, "")
     if last is layers[0]:
         return source or DEFAULT
     return f"{last.name}: {source}" if source else last.name
+
+
+def rows(config: dict[str, Any], layers: Sequence[Layer]) -> Iterator[tuple[str, ...]]:
+    """Yield key, value, unit ("-" for what is no number), origin and meaning, in the order of the declarations.
+
+    Parameters
+    ----------
+    config : the checked configuration; layers : the files and the command line it was merged from.
+    """
+    for path, field in leaves():
+        for names, value in _values(config, path):
+            text = value if isinstance(value, str) else json.dumps(value)
+            yield ".".join(names), text, unit_of(field) or "-", origin(names, layers), field.description or ""
 
 
 def _nodes(node: yaml.Node | None, path: Path) -> Iterator[tuple[Path, yaml.Node, yaml.Node]]:
@@ -92,3 +109,13 @@ def _nodes(node: yaml.Node | None, path: Path) -> Iterator[tuple[Path, yaml.Node
             here = (*path, str(key.value))
             yield here, key, value
             yield from _nodes(value, here)
+
+
+def _values(values: Any, path: tuple[str, ...]) -> Iterator[tuple[tuple[str, ...], Any]]:
+    """Yield the names and the value of every entry at `path`; a placeholder stands for all names there."""
+    if not path:
+        yield (), values
+        return
+    for name in values if path[0].startswith("<") else path[:1]:
+        for rest, value in _values(values[name], path[1:]):
+            yield (name, *rest), value

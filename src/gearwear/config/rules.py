@@ -10,27 +10,31 @@ import difflib
 import itertools
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
-from gearwear.config.grids import MOST_COMBINATIONS
-from gearwear.config.job_sections import MOST_UPDATES
-from gearwear.config.key_types import CASE_NAME, SWEEPS
-from gearwear.config.oscillator_sections import unlike_waves
-from gearwear.config.sensitivity_parameters import out_of_order
-from gearwear.config.study_sections import MOST_CYCLES
-from gearwear.config.wording import dotted, figure, listed, shown
+from gearwear.config.pair import MOST_CYCLES
+from gearwear.config.parameters import CASE_NAME, ENDS, PLACES, SWEEPS
+from gearwear.config.study import MOST_UPDATES
+from gearwear.config.text import Problem, dotted, figure, listed, shown
+from gearwear.config.tree import dotted_keys, value_at
 from gearwear.heat.bulk import BALANCE, of_case
 
+MOST_COMBINATIONS = 10_000
 REQUIRED_CASES = ("without", "temperature_only", "wear_only", "with")
 DRAWN_PORTRAITS = (("mesh_frequency", "without"), ("mesh_frequency", "with"), ("ste", "with"), ("backlash", "with"))
 RESERVED_NAMES = ("figures", "logs", "benchmarks", "geometry", "studies")
+_RANGES = (
+    *((f"sweeps.{name}", "first", "last") for name in SWEEPS),
+    *((f"maps.{name}", "first", "last") for name in SWEEPS),
+    *((f"basins.{name}", "first", "last") for name in ("displacement", "velocity")),
+    *((f"sensitivity.{name}", *ENDS) for name in PLACES),
+)
 MADE_STUDIES = ["temperature", "onsets", "sensitivity", "chains"]
+_SIMPLE_RULES: list[tuple[tuple[str, ...], Callable[..., str]]] = []
 _LONGEST_NAME = 60
 _MOST_NAMED = 12
 _FOLDER_NAME = f"use small letters, digits and underscores, a letter first, at most {_LONGEST_NAME} of them"
-
-Problem = tuple[tuple[str, ...], str]
 
 
 def disagreements(values: dict[str, Any]) -> Iterator[Problem]:
@@ -40,57 +44,44 @@ def disagreements(values: dict[str, Any]) -> Iterator[Problem]:
     ----------
     values : nested dict of the values that are valid on their own; others are absent.
     """
-    yield from _ranges(values)
-    yield from _temperatures(values)
-    yield from _materials_of_contact(values)
-    yield from _settling(values)
-    yield from _unloaded_error(values)
-    yield from _housing(values)
-    yield from _resolution(values)
-    yield from _torque(values)
-    yield from _oscillators(values)
-    if isinstance(_at(values, "cases"), dict):
-        yield from _case_names(values)
-        yield from _updates(values)
-        yield from _reference(values)
-        yield from _case_lists(values)
-    yield from _portraits(values)
-    yield from _basins(values)
-    yield from _maps(values)
-    yield from _studies(values)
-    yield from out_of_order(values)
+    for keys, message in _SIMPLE_RULES:
+        found = [value_at(values, key) for key in keys]
+        if None not in found and (text := message(*found)):
+            yield tuple(keys[-1].split(".")), text
+    for rule in _RULES:
+        yield from rule(values)
 
 
-def _at(values: dict[str, Any], path: str) -> Any:
-    for key in path.split("."):
-        if not isinstance(values, dict) or key not in values:
-            return None
-        values = values[key]
-    return values
+def _rule(*keys: str) -> Callable[[Callable[..., str]], Callable[..., str]]:
+    """Register a function of the values at these keys: the message about the last of them, empty if all is well."""
+
+    def register(message: Callable[..., str]) -> Callable[..., str]:
+        _SIMPLE_RULES.append((keys, message))
+        return message
+
+    return register
 
 
-def _pair(values: dict[str, Any], first: str, second: str) -> tuple[Any, Any] | None:
-    found = _at(values, first), _at(values, second)
+def _pair(values: Any, first: str, second: str) -> tuple[Any, Any] | None:
+    found = value_at(values, first), value_at(values, second)
     return None if None in found else found
 
 
 def _ranges(values: dict[str, Any]) -> Iterator[Problem]:
-    for sweep in SWEEPS:
-        ends = _pair(values, f"sweeps.{sweep}.first", f"sweeps.{sweep}.last")
+    for section, low, high in _RANGES:
+        ends = _pair(values, f"{section}.{low}", f"{section}.{high}")
         if ends and ends[1] <= ends[0]:
-            yield (
-                ("sweeps", sweep, "last"),
-                f"{ends[1]} is not above sweeps.{sweep}.first, {ends[0]}; exchange them or widen the range",
-            )
+            text = f"{figure(ends[1])} is not above {section}.{low}, {figure(ends[0])}"
+            yield (*section.split("."), high), f"{text}; exchange them or widen the range"
 
 
 def _temperatures(values: dict[str, Any]) -> Iterator[Problem]:
-    initial = _at(values, "heat.initial_temperature")
-    tabled = _at(values, "elasticity.law") == "table"
-    for name, case in (_at(values, "cases") or {}).items():
-        path, (bulk, hindrance) = ("cases", name, "bulk_temperature"), of_case(values, case)
-        if hindrance:
-            yield path, hindrance
+    initial = value_at(values, "heat.initial_temperature")
+    tabled = value_at(values, "elasticity.law") == "table"
+    for name, case in (value_at(values, "cases") or {}).items():
+        path, (bulk, reason) = ("cases", name, "bulk_temperature"), of_case(values, case)
+        if reason:
+            yield path, reason
         if bulk is None:
             continue
         named = f"{BALANCE}, {bulk:.1f} degC," if case["bulk_temperature"] == BALANCE else bulk
@@ -100,105 +91,114 @@ def _temperatures(values: dict[str, Any]) -> Iterator[Problem]:
             yield path, f"{named} is outside the table of elasticity.law table, 20 to 260 degC; use law li or linear"
 
 
-def _materials_of_contact(values: dict[str, Any]) -> Iterator[Problem]:
-    oil = _pair(values, "lubricant.dynamic_viscosity", "lubricant.dynamic_viscosity_40")
-    if oil and _at(values, "lubricant.viscosity_law") == "vogel" and oil[1] <= oil[0]:
-        yield (
-            ("lubricant", "dynamic_viscosity_40"),
-            f"{figure(oil[1])} is not above lubricant.dynamic_viscosity, {figure(oil[0])} Pa s; "
-            "exchange them, oil is thicker at 40 degC than at 100 degC",
-        )
-    friction = _pair(values, "friction.dry", "friction.boundary")
-    if friction and friction[1] > friction[0]:
-        yield (
-            ("friction", "boundary"),
-            f"{friction[1]} is above friction.dry, {friction[0]}; lower it or raise friction.dry",
-        )
+@_rule("lubricant.viscosity_law", "lubricant.dynamic_viscosity", "lubricant.dynamic_viscosity_40")
+def _viscosity(law: str, hot: float, warm: float) -> str:
+    if law != "vogel" or warm > hot:
+        return ""
+    return (
+        f"{figure(warm)} is not above lubricant.dynamic_viscosity, {figure(hot)} Pa s; exchange them, oil is thicker "
+        "at 40 degC than at 100 degC"
+    )
 
 
-def _settling(values: dict[str, Any]) -> Iterator[Problem]:
-    looks = _pair(values, "settling.transient_periods", "settling.longest_transient")
-    if looks and looks[1] < looks[0]:
-        yield (
-            ("settling", "longest_transient"),
-            f"{looks[1]} is below settling.transient_periods, {looks[0]}; give at least that many",
-        )
-    section = _pair(values, "settling.largest_period", "settling.sampled_periods")
-    if section and section[1] < 4 * section[0]:
-        yield (
-            ("settling", "sampled_periods"),
-            f"{section[1]} is too few to see settling.largest_period, {section[0]}, come back in either half; "
-            f"give at least {4 * section[0]} mesh periods",
-        )
+@_rule("friction.dry", "friction.boundary")
+def _friction(dry: float, boundary: float) -> str:
+    return f"{boundary} is above friction.dry, {dry}; lower it or raise friction.dry" if boundary > dry else ""
 
 
-def _unloaded_error(values: dict[str, Any]) -> Iterator[Problem]:
-    amplitude = _at(values, "dynamics.ste_amplitude")
-    if _at(values, "transmission_error.mode") == "no_load" and amplitude in ("nominal", "mean"):
-        yield (
-            ("dynamics", "ste_amplitude"),
-            f"{amplitude} compares with the loaded error of the pristine pair, and transmission_error.mode no_load has "
-            "none; give harmonic",
-        )
+@_rule("settling.transient_periods", "settling.longest_transient")
+def _transient(first: int, longest: int) -> str:
+    return f"{longest} is below settling.transient_periods, {first}; give at least that many" if longest < first else ""
 
 
-def _housing(values: dict[str, Any]) -> Iterator[Problem]:
-    found = _pair(values, "backlash.housing.temperature_rise", "heat.growth")
-    if found and found[0] > 0 and found[1] != "eulerian":
-        yield (
-            ("backlash", "housing", "temperature_rise"),
-            f"{found[0]} moves the shafts apart, and heat.growth {found[1]} leaves out the growth of the gear bodies "
-            "towards each other that goes with it; give heat.growth eulerian, or 0",
-        )
+@_rule("settling.largest_period", "settling.sampled_periods")
+def _section(period: int, sampled: int) -> str:
+    if sampled >= 4 * period:
+        return ""
+    return (
+        f"{sampled} is too few to see settling.largest_period, {period}, come back in either half; give at least "
+        f"{4 * period} mesh periods"
+    )
 
 
-def _resolution(values: dict[str, Any]) -> Iterator[Problem]:
-    cells, highest = _at(values, "grid.mesh_cells"), _at(values, "dynamics.harmonics")
-    if isinstance(cells, int) and isinstance(highest, int) and cells < 8 * highest:
-        yield (
-            ("grid", "mesh_cells"),
-            f"{cells} cells do not resolve dynamics.harmonics, {highest}; give at least {8 * highest}",
-        )
+@_rule("transmission_error.mode", "dynamics.ste_amplitude")
+def _unloaded_error(mode: str, amplitude: str) -> str:
+    if mode != "no_load" or amplitude == "harmonic":
+        return ""
+    return (
+        f"{amplitude} compares with the loaded error of the pristine pair, and transmission_error.mode no_load has "
+        "none; give harmonic"
+    )
+
+
+@_rule("heat.growth", "backlash.housing.temperature_rise")
+def _housing(growth: str, rise: float) -> str:
+    if rise == 0 or growth == "eulerian":
+        return ""
+    return (
+        f"{rise} moves the shafts apart, and heat.growth {growth} leaves out the growth of the gear bodies towards "
+        "each other that goes with it; give heat.growth eulerian, or 0"
+    )
+
+
+@_rule("dynamics.harmonics", "grid.mesh_cells")
+def _resolution(highest: int | str, cells: int) -> str:
+    if highest == "full" or cells >= 8 * int(highest):
+        return ""
+    return f"{cells} cells do not resolve dynamics.harmonics, {highest}; give at least {8 * int(highest)}"
 
 
 def _torque(values: dict[str, Any]) -> Iterator[Problem]:
-    waves = _pair(values, "dynamics.torque_fluctuation.amplitudes", "dynamics.torque_fluctuation.phases")
-    if waves and len(waves[0]) != len(waves[1]):
+    yield from _phases(value_at(values, "dynamics.torque_fluctuation"), ("dynamics", "torque_fluctuation"))
+
+
+def _phases(waves: Any, path: tuple[str, ...]) -> Iterator[Problem]:
+    lists = _pair(waves, "amplitudes", "phases")
+    if lists and len(lists[0]) != len(lists[1]):
         yield (
-            ("dynamics", "torque_fluctuation", "phases"),
-            f"{len(waves[1])} phases for {len(waves[0])} amplitudes; give one phase for every amplitude",
+            (*path, "phases"),
+            f"{len(lists[1])} phases for {len(lists[0])} amplitudes; give one phase for every amplitude",
         )
 
 
 def _oscillators(values: dict[str, Any]) -> Iterator[Problem]:
-    given, swept = _at(values, "oscillators") or {}, [_at(values, f"sweeps.{sweep}.cases") for sweep in SWEEPS]
-    for name, oscillator in given.items():
+    swept = [value_at(values, f"sweeps.{sweep}.cases") for sweep in SWEEPS]
+    for name, oscillator in (value_at(values, "oscillators") or {}).items():
         path = ("oscillators", name)
         yield from _folder(path, name, "not a name of an oscillator")
-        if name in (_at(values, "cases") or {}):
+        if name in (value_at(values, "cases") or {}):
             yield path, "the name is that of a case; choose another"
         if None not in swept and not any(name in cases for cases in swept):
             yield path, "swept nowhere; add it to sweeps.mesh_frequency.cases"
-        yield from ((path + below, text) for below, text in unlike_waves(oscillator))
+        for wave in ("stiffness", "error"):
+            yield from _phases(value_at(oscillator, wave), (*path, wave))
+        amplitudes = value_at(oscillator, "error.amplitudes")
+        if amplitudes and not amplitudes[0] and any(amplitudes):
+            yield (
+                (*path, "error", "amplitudes"),
+                "the first is 0 and another is not; all are scaled by the first, so give it a value, however small",
+            )
 
 
 def _maps(values: dict[str, Any]) -> Iterator[Problem]:
-    for axis in ("mesh_frequency", "ste", "backlash"):
-        ends = _pair(values, f"maps.{axis}.first", f"maps.{axis}.last")
-        if ends and ends[1] <= ends[0]:
-            yield ("maps", axis, "last"), f"{ends[1]} is not above maps.{axis}.first, {ends[0]}; exchange them"
-    case, cases = _at(values, "maps.case"), _at(values, "cases")
+    case, cases = value_at(values, "maps.case"), value_at(values, "cases")
     if case is not None and isinstance(cases, dict) and case not in cases:
         yield ("maps", "case"), _no_such_case(case, cases)
-    temperatures, initial = _at(values, "maps.temperature") or [], _at(values, "heat.initial_temperature")
+    temperatures, initial = value_at(values, "maps.temperature") or [], value_at(values, "heat.initial_temperature")
     for position, value in enumerate(temperatures):
         path = ("maps", "temperature", f"[{position}]")
         if position and value <= temperatures[position - 1]:
             yield path, f"{value} is not above the value before, {temperatures[position - 1]} degC; sort the list"
-        elif not -40.0 <= value <= 250.0:
-            yield path, f"{value} is outside -40 to 250 degC; give a bulk temperature within"
         elif initial is not None and value < initial:
             yield path, f"{value} is below heat.initial_temperature, {initial} degC; give at least that"
+
+
+def _cases(values: dict[str, Any]) -> Iterator[Problem]:
+    if isinstance(value_at(values, "cases"), dict):
+        yield from _case_names(values)
+        yield from _updates(values)
+        yield from _reference(values)
+        yield from _case_lists(values)
 
 
 def _case_names(values: dict[str, Any]) -> Iterator[Problem]:
@@ -210,12 +210,12 @@ def _case_names(values: dict[str, Any]) -> Iterator[Problem]:
 
 
 def _studies(values: dict[str, Any]) -> Iterator[Problem]:
-    for name, study in (_at(values, "studies") or {}).items():
+    for name, study in (value_at(values, "studies") or {}).items():
         if not _names_a_folder(name):
             yield ("studies", name), f"not a name of a study; {_FOLDER_NAME}"
         elif name in MADE_STUDIES:
             yield ("studies", name), f"the name is taken by a study of the program; use none of {listed(MADE_STUDIES)}"
-        for member in _at(study, "members") or {}:
+        for member in value_at(study, "members") or {}:
             if not _names_a_folder(member):
                 yield ("studies", name, "members", member), f"not a name of a member; {_FOLDER_NAME}"
         if isinstance(study, dict):
@@ -223,12 +223,12 @@ def _studies(values: dict[str, Any]) -> Iterator[Problem]:
 
 
 def _grid(values: dict[str, Any], study: dict[str, Any]) -> Iterator[Problem]:
-    grid, case, cases = study.get("grid") or {}, study.get("case", "with"), _at(values, "cases")
+    grid, case, cases = study.get("grid") or {}, study.get("case", "with"), value_at(values, "cases")
     if bool(grid) == bool(study.get("members")):
         yield (), "a study has either members or a grid; give one of them"
     if grid and isinstance(cases, dict) and case not in cases:
         yield ("case",), _no_such_case(case, cases)
-    known = _dotted_keys({name: section for name, section in values.items() if name != "studies"})
+    known = dotted_keys({name: section for name, section in values.items() if name != "studies"})
     for key in grid:
         if key not in known:
             near = difflib.get_close_matches(key[:_LONGEST_NAME], known, 1)
@@ -243,13 +243,6 @@ def _grid(values: dict[str, Any], study: dict[str, Any]) -> Iterator[Problem]:
         yield ("grid",), f"{count} combinations are more than {MOST_COMBINATIONS}; give fewer values"
 
 
-def _dotted_keys(values: dict[str, Any], before: str = "") -> list[str]:
-    found: list[str] = []
-    for name, value in values.items():
-        found += _dotted_keys(value, f"{before}{name}.") if isinstance(value, dict) else [f"{before}{name}"]
-    return found
-
-
 def _folder(path: tuple[str, ...], name: str, refusal: str) -> Iterator[Problem]:
     if not _names_a_folder(name):
         yield path, f"{refusal}; {_FOLDER_NAME}"
@@ -262,9 +255,9 @@ def _names_a_folder(name: str) -> bool:
 
 
 def _updates(values: dict[str, Any]) -> Iterator[Problem]:
-    step = _at(values, "wear.cycles_per_update")
+    step = value_at(values, "wear.cycles_per_update")
     for name, case in values["cases"].items():
-        cycles = _at(case, "running_cycles")
+        cycles = value_at(case, "running_cycles")
         if step is None or cycles is None:
             continue
         path = ("cases", name, "running_cycles")
@@ -286,19 +279,19 @@ def _updates(values: dict[str, Any]) -> Iterator[Problem]:
 
 
 def _reference(values: dict[str, Any]) -> Iterator[Problem]:
-    name = _at(values, "dynamics.reference_case")
+    name = value_at(values, "dynamics.reference_case")
     if name is None:
         return
     path = ("dynamics", "reference_case")
     if name not in values["cases"]:
         yield path, _no_such_case(name, values["cases"])
-    elif _at(values["cases"][name], "running_cycles"):
+    elif value_at(values["cases"][name], "running_cycles"):
         yield path, f"case {dotted((name,))} is worn; name a case with running_cycles 0"
 
 
 def _case_lists(values: dict[str, Any]) -> Iterator[Problem]:
     for path in (*(("sweeps", sweep, "cases") for sweep in SWEEPS), ("figures", "diagonal")):
-        names = _at(values, ".".join(path))
+        names = value_at(values, ".".join(path))
         known = values["cases"] if path[0] == "figures" else _known(values)
         for position, name in enumerate(names or []):
             if name not in known:
@@ -308,31 +301,21 @@ def _case_lists(values: dict[str, Any]) -> Iterator[Problem]:
 
 
 def _portraits(values: dict[str, Any]) -> Iterator[Problem]:
-    for sweep, case in () if _at(values, "oscillators") else DRAWN_PORTRAITS:
-        drawn = _at(values, f"portraits.{sweep}")
+    for sweep, case in () if value_at(values, "oscillators") else DRAWN_PORTRAITS:
+        drawn = value_at(values, f"portraits.{sweep}")
         if drawn is not None and not drawn.get(case):
             yield ("portraits", sweep, case), "figures 13 to 18 draw this case; give a list with at least one value"
     yield from _chosen_values(values, "portraits")
-
-
-def _basins(values: dict[str, Any]) -> Iterator[Problem]:
     yield from _chosen_values(values, "basins.points")
-    for side in ("displacement", "velocity"):
-        ends = _pair(values, f"basins.{side}.first", f"basins.{side}.last")
-        if ends and ends[1] <= ends[0]:
-            yield (
-                ("basins", side, "last"),
-                f"{ends[1]} is not above basins.{side}.first, {ends[0]}; exchange them or widen the range",
-            )
 
 
 def _chosen_values(values: dict[str, Any], section: str) -> Iterator[Problem]:
     """Problems of the values of sweeps that a section lists by sweep and case."""
-    cases, given = _at(values, "cases"), _at(values, "oscillators")
+    cases, given = value_at(values, "cases"), value_at(values, "oscillators")
     for sweep in SWEEPS:
-        for name, drawn in (_at(values, f"{section}.{sweep}") or {}).items():
+        for name, drawn in (value_at(values, f"{section}.{sweep}") or {}).items():
             path = (*section.split("."), sweep, name)
-            swept = _at(values, f"sweeps.{sweep}.cases") if section == "portraits" else None
+            swept = value_at(values, f"sweeps.{sweep}.cases") if section == "portraits" else None
             if isinstance(cases, dict) and name not in _known(values):
                 yield path, _no_such_case(name, _known(values))
             elif given and name not in given:
@@ -353,7 +336,7 @@ def _chosen_values(values: dict[str, Any], section: str) -> Iterator[Problem]:
 
 
 def _known(values: dict[str, Any]) -> dict[str, Any]:
-    return values["cases"] | (_at(values, "oscillators") or {})
+    return values["cases"] | (value_at(values, "oscillators") or {})
 
 
 def _no_such_case(name: str, cases: dict[str, Any]) -> str:
@@ -361,3 +344,6 @@ def _no_such_case(name: str, cases: dict[str, Any]) -> str:
     known = listed([dotted((known,)) for known in cases][:_MOST_NAMED])
     advice = f"did you mean {dotted((near[0],))}?" if near else f"cases: {known or 'none'}"
     return f"{shown(name)} is no case ({advice})"
+
+
+_RULES = (_ranges, _temperatures, _torque, _oscillators, _cases, _portraits, _maps, _studies)

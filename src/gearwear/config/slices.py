@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from gearwear.config.calibration_sections import Calibration
-from gearwear.config.key_types import SWEEPS
+from gearwear.config.parameters import SWEEPS
+from gearwear.config.study import Calibration
 from gearwear.errors import ConfigError
 
 _EXCITED = ("dynamics", "settling", "operation.pinion_torque")
@@ -35,13 +35,7 @@ _WHOLE_CHAIN = (
     "settling",
 )
 _BOTH_CASES = ("cases.without", "cases.with", "cases.{reference}")
-_ROUTE = (
-    "sweeps.order",
-    "sweeps.mesh_frequency",
-    "branches.largest_step",
-    "branches.most_nodes",
-    "onsets.refinement",
-)
+_ROUTE = ("sweeps.order", "sweeps.mesh_frequency", "branches.largest_step", "branches.most_nodes", "onsets.refinement")
 _HOT_STEEL = (
     "elasticity",
     "material.pinion.youngs_modulus",

@@ -1,17 +1,18 @@
-"""Values written with their unit, such as `3 mm` or `100 degC`, turned into the unit of their key without round-off."""
+"""Values written with their unit, such as `3 mm` or `100 degC`, converted exactly to the unit of their key."""
 
 from __future__ import annotations
 
 import re
+from collections import Counter
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 NUMERAL = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _QUANTITY = re.compile(rf"(?!{NUMERAL}$)({NUMERAL})\s*([A-Za-zµμ°].*|(?<=\s)1\s*/.*)", re.ASCII | re.DOTALL)
-# Names, one-digit powers, products and quotients: nothing that could take long to work out.
-_UNIT = re.compile(r"(?:[^\W\d]+(?:\d|(?:\*\*|\^)-?\d)?(?!\d)|°[CF]?|1(?!\d)|[*/()·²³\s])+")
+# A name with a power of one digit, or an operator; blanks multiply.
+_TOKEN = re.compile(r"\s*(?:(°?[^\W\d]+)((?:\*\*|\^)?-?\d(?!\d))?|(1(?!\d)|[*/()]))\s*")
 _LONGEST = 60
 _MOST_DIGITS = 40
 _LARGEST_EXPONENT = 300
@@ -31,6 +32,34 @@ _EXAMPLES = {
     "kg m2": "350 kg mm2",
     "kg/m3": "7.85 g/cm3",
 }
+
+
+_PI = "3.14159265358979323846264338327950288419716939937510"
+_BASES = ("m", "kg", "s", "K", "rad", "C")  # C is the coulomb, so that 100 C is not taken for a temperature
+_UNITS = dict(
+    definition.split(" = ")
+    for definition in f"""
+g = 0.001 kg; t = 1000 kg; lb = 0.45359237 kg; min = 60 s; h = 60 min; Hz = 1 1/s
+micron = 0.000001 m; in = 0.0254 m; inch = 1 in; ft = 12 in; L = 0.001 m3; l = 1 L
+N = 1 kg m/s2; Nm = 1 N m; kgf = 9.80665 N; lbf = 4.4482216152605 N; J = 1 N m; W = 1 J/s
+Pa = 1 N/m2; bar = 100000 Pa; psi = 1 lbf/in2; ksi = 1000 psi; P = 0.1 Pa s; St = 0.0001 m2/s
+deg = {Fraction(_PI) / 180} rad; rev = 360 deg; rpm = 1 rev/min
+degC = 1 K; °C = 1 K; delta_degC = 1 K; degF = 5/9 K; °F = 5/9 K; delta_degF = 5/9 K
+""".strip()
+    .replace("\n", "; ")
+    .split("; ")
+)
+_PREFIXES = {"n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "d": -1, "h": 2, "k": 3, "M": 6, "G": 9, "T": 12}
+_PREFIXED = ("m", "g", "s", "K", "rad", "C", "Hz", "L", "l", "N", "Nm", "Pa", "bar", "J", "W", "P", "St")
+_CELSIUS, _FAHRENHEIT = Fraction("273.15"), Fraction("459.67") * 5 / 9
+_ZEROS = {"degC": _CELSIUS, "°C": _CELSIUS, "degF": _FAHRENHEIT, "°F": _FAHRENHEIT}  # kelvin
+
+
+class _Unit(NamedTuple):
+    """Size in base units, and the power of each of them."""
+
+    size: Fraction
+    powers: dict[str, int]
 
 
 class UnitError(ValueError):
@@ -55,7 +84,7 @@ def plain(value: Any, unit: str | None) -> Any:
     if not found:
         return value
     number, written = found.groups()
-    if len(value) > _LONGEST or not _UNIT.fullmatch(written):
+    if len(value) > _LONGEST:
         raise UnitError("has an unknown unit")
     if len(number) > _MOST_DIGITS or abs(Decimal(number).adjusted()) > _LARGEST_EXPONENT:
         raise UnitError("is no number of a usable size")
@@ -66,36 +95,52 @@ def plain(value: Any, unit: str | None) -> Any:
 @cache
 def _conversion(written: str, unit: str) -> tuple[Fraction, Fraction]:
     """Return factor and offset from one unit to the other, exact but for the digits of pi."""
-    registry = _registry()
-    wanted = registry.parse_units(_spelled(unit))
-    try:
-        given = registry.parse_units(_spelled(written))
-    except Exception:  # what cannot be read as a unit fails in the library, its tokenizer or the language itself
-        raise UnitError("has an unknown unit") from None
-    if _is_scale(registry, given) and not _is_scale(registry, wanted):
-        raise UnitError("is a temperature, and this is a difference of temperatures") from None
-    if _is_scale(registry, wanted) and "delta" in str(given):
-        raise UnitError("is a difference of temperatures, and this is a temperature") from None
-    # Angles are numbers to the library, which would take 50 Hz for 50 rad/s.
-    if registry.get_root_units(given)[1] != registry.get_root_units(wanted)[1]:
+    given, wanted = _parsed(written), _parsed(unit)
+    if given.powers != wanted.powers:
         raise UnitError(f"has a unit that does not convert to {unit}")
-    zero, one = (Fraction(registry.Quantity(Fraction(value), given).to(wanted).magnitude) for value in (0, 1))
-    return one - zero, zero
-
-
-def _is_scale(registry: Any, unit: Any) -> bool:
-    return registry.Quantity(Fraction(0), unit).to_root_units().magnitude != 0
-
-
-def _spelled(unit: str) -> str:
-    """Return a unit as the library reads it: powers with a sign of their own, newton metre apart."""
-    unit = re.sub(r"(?<=[^\W\d_])(?=\d)", "**", unit.replace("²", "2").replace("³", "3").replace("·", "*"))
-    return re.sub(r"\b([mkM]?)Nm\b", r"\1N*m", unit)
+    if written in _ZEROS and unit not in _ZEROS:
+        raise UnitError("is a temperature, and this is a difference of temperatures")
+    if unit in _ZEROS and "delta" in written:
+        raise UnitError("is a difference of temperatures, and this is a temperature")
+    offset = _ZEROS.get(written, 0) - _ZEROS.get(unit, 0)
+    return given.size / wanted.size, Fraction(offset) / wanted.size
 
 
 @cache
-def _registry() -> Any:
-    # Half a second, which only a configuration with units in its values pays.
-    import pint
+def _parsed(text: str) -> _Unit:
+    """Read products, quotients and powers of units, from left to right; blanks multiply, parentheses group."""
+    unknown = UnitError("has an unknown unit")
+    text = text.translate({ord("²"): "2", ord("³"): "3", ord("·"): "*"})
+    if _TOKEN.sub("", text):
+        raise unknown
+    size, powers, sign, groups, ended = Fraction(1), Counter[str](), 1, [1], False
+    for name, power, operator in _TOKEN.findall(text):
+        if name:
+            unit, exponent = _named(name), groups[-1] * sign * int(power.lstrip("*^") or 1)
+            size *= unit.size**exponent
+            powers.update({base: exponent * count for base, count in unit.powers.items()})
+        elif operator == "(":
+            groups.append(groups[-1] * sign)
+        elif (operator in "*/" and not ended) or (operator == ")" and (not ended or len(groups) == 1)):
+            raise unknown
+        elif operator == ")":
+            groups.pop()
+        sign = -1 if operator == "/" else 1
+        ended = operator not in ("*", "/", "(")
+    if not ended or len(groups) > 1:
+        raise unknown
+    return _Unit(size, {base: count for base, count in powers.items() if count})
 
-    return pint.UnitRegistry(non_int_type=Fraction)
+
+@cache
+def _named(name: str) -> _Unit:
+    if name in _BASES:
+        return _Unit(Fraction(1), {name: 1})
+    if name in _UNITS:
+        number, definition = _UNITS[name].split(" ", 1)
+        unit, factor = _parsed(definition), Fraction(number)
+    elif name[:1] in _PREFIXES and name[1:] in _PREFIXED:
+        unit, factor = _named(name[1:]), Fraction(10) ** _PREFIXES[name[:1]]
+    else:
+        raise UnitError("has an unknown unit")
+    return _Unit(factor * unit.size, unit.powers)

@@ -9,11 +9,12 @@ import re
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal, NamedTuple, get_args, get_origin
 
-from gearwear.config.key_types import keys
-from gearwear.config.sensitivity_parameters import ENDS, OPTION, PARAMETER, PLACES, value_at
+from gearwear.config.parameters import ENDS, OPTION, PARAMETER, PLACES
 from gearwear.config.slices import STAGES, readers
-from gearwear.config.study_sections import Configuration
-from gearwear.config.wording import figure
+from gearwear.config.study import Configuration
+from gearwear.config.text import figure
+from gearwear.config.tree import nested, value_at
+from gearwear.config.types import keys
 
 STUDY = "sensitivity"
 
@@ -22,9 +23,7 @@ _PASSED_OVER = ("settling", "dynamics.model")
 # Values of a choice beside its words.
 _MORE = {"dynamics.harmonics": (1, 3)}
 # What a choice takes along: without it the configuration is refused.
-_COMPANIONS = {
-    ("transmission_error.mode", "no_load"): {"dynamics.ste_amplitude": "harmonic"},
-}
+_COMPANIONS = {("transmission_error.mode", "no_load"): {"dynamics.ste_amplitude": "harmonic"}}
 
 
 class Variation(NamedTuple):
@@ -90,16 +89,11 @@ def _words(annotation: Any) -> tuple[Any, ...]:
 
 def _variation(config, group: str, key: str, value: Any, companions: dict[str, Any], name: str) -> Variation:
     needed = {other: word for other, word in companions.items() if value_at(config, other) != word}
-    overrides: dict[str, Any] = {}
-    for place, what in ({key: value} | needed).items():
-        *sections, last = place.split(".")
-        target = overrides
-        for section in sections:
-            target = target.setdefault(section, {})
-        target[last] = what
     taken = ", ".join(f"{other} {_shown(word)}" for other, word in needed.items())
     member = re.sub(r"[^a-z0-9]+", "_", name.lower())
-    return Variation(member, group, key, _shown(value), _shown(value_at(config, key)), taken, overrides)
+    return Variation(
+        member, group, key, _shown(value), _shown(value_at(config, key)), taken, nested({key: value} | needed)
+    )
 
 
 def _shown(value: Any) -> str:

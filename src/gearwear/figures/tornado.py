@@ -12,8 +12,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator, NullLocator
 
-from gearwear.config.sensitivity_parameters import ENDS, OPTION, PLACES
-from gearwear.config.wording import listed
+from gearwear.config.parameters import ENDS, OPTION, PLACES
+from gearwear.config.text import listed
 from gearwear.figures.sheet import DOUBLE, legend_above, letter, sheet
 from gearwear.sensitivity.quantities import QUANTITIES, Quantity
 

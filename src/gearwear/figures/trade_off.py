@@ -11,8 +11,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from gearwear.calibration.table import STUDY, good
-from gearwear.config.key_types import SWEEPS
+from gearwear.calibration.table import good
+from gearwear.calibration.verdict import STUDY
+from gearwear.config.parameters import SWEEPS
 from gearwear.figures.sheet import DOUBLE, legend_above, letter, sheet
 
 _PAIRS = ((0, 1), (0, 2), (1, 2))  # of SWEEPS

@@ -11,7 +11,7 @@ import xarray as xr
 import yaml
 
 from gearwear.claims import scorecard
-from gearwear.config import listing, origins
+from gearwear.config import origins
 from gearwear.figures import page
 from gearwear.figures import scorecard as scorecard_page
 from gearwear.io.tables import Table, page_of
@@ -29,7 +29,7 @@ def parameters(cfg: dict[str, Any], files: list[Path], template: Path) -> dict[s
     """
     layers = [origins.file_layer(file.name, file.read_text(encoding="utf-8")) for file in files]
     layers.append(origins.command_line_layer(cfg["command_line"]))
-    table = Table(listing.COLUMNS, list(listing.rows(cfg["configuration"], layers)))
+    table = Table(origins.COLUMNS, list(origins.rows(cfg["configuration"], layers)))
     return {"csv": table, "html": page_of(table, template, "parameters")}
 
 

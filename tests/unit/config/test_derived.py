@@ -9,7 +9,8 @@ import yaml
 from gearwear.config.check import ConfigError, check
 from gearwear.config.derived import RULES, resolved
 from gearwear.config.members import members, merged
-from gearwear.config.sensitivity_parameters import PLACES, value_at
+from gearwear.config.parameters import PLACES
+from gearwear.config.tree import value_at
 
 ROOT = Path(__file__).resolve().parents[3]
 

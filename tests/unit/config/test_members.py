@@ -7,7 +7,8 @@ import pytest
 import yaml
 
 from gearwear.config.check import ConfigError, check
-from gearwear.config.members import hindrance, members, merged, overrides_of
+from gearwear.config.members import combinations, members, overrides_of, refusal, slug
+from gearwear.config.tree import merged
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -145,7 +146,7 @@ def test_settings_that_cannot_be_hinder_the_study_and_not_the_run(gridded):
     config = gridded(grid={HEAT: [20, 60]}, settings={"dynamics": {"damping_ratio": 2}})
     assert not [root for root in members(config) if root.startswith("studies/life/")]
     reason = "dynamics.damping_ratio: 2.0 is not below 1; give a number from 1.0e-4 to below 1"
-    assert hindrance(config, overrides_of(config["studies"]["life"], {HEAT: 20})) == reason
+    assert refusal(config, overrides_of(config["studies"]["life"], {HEAT: 20})) == reason
 
 
 @pytest.mark.parametrize(
@@ -186,3 +187,30 @@ def test_a_bad_grid_is_told_with_its_key(gridded, entries, told):
     with pytest.raises(ConfigError) as refused:
         gridded(**entries)
     assert str(refused.value).splitlines()[1].strip().startswith(told)
+
+
+def test_the_last_key_changes_fastest():
+    found = combinations({"dynamics.damping_ratio": [0.05, 0.1], "mesh_stiffness.hertz": ["linear", "weber"]})
+    assert [one.name for one in found] == [
+        "damping_ratio_0_05__hertz_linear",
+        "damping_ratio_0_05__hertz_weber",
+        "damping_ratio_0_1__hertz_linear",
+        "damping_ratio_0_1__hertz_weber",
+    ]
+    assert found[2].values == {"dynamics.damping_ratio": 0.1, "mesh_stiffness.hertz": "linear"}
+
+
+def test_no_grid_has_no_combination():
+    assert combinations({}) == []
+
+
+@pytest.mark.parametrize("values", [[1.00000001, 1.00000002], ["a" * 70, "b" * 70]])
+def test_names_that_are_alike_or_too_long_are_numbered(values):
+    assert [one.name for one in combinations({"dynamics.start.displacement": values})] == ["member_0001", "member_0002"]
+
+
+@pytest.mark.parametrize(
+    ("value", "text"), [(2.1e9, "2_1e09"), (-20, "m20"), (0.5, "0_5"), (True, "true"), ("Weber line", "weber_line")]
+)
+def test_a_value_becomes_part_of_a_name(value, text):
+    assert slug(value) == text

@@ -6,11 +6,10 @@ import pytest
 import yaml
 
 from gearwear.config.check import ConfigError, check
-from gearwear.config.grids import combinations
-from gearwear.config.key_table import leaves
-from gearwear.config.key_types import adapter, adapter_of, entry_type
-from gearwear.config.members import members, merged
-from gearwear.config.wording import dotted
+from gearwear.config.members import combinations, members, merged
+from gearwear.config.study import leaves
+from gearwear.config.text import dotted
+from gearwear.config.types import schema_of
 
 ROOT = Path(__file__).resolve().parents[3]
 FOREIGN = (
@@ -38,11 +37,6 @@ OF_STUDIES = {f"studies.<name>.{key}" for key in ("case", "settings.<name>", "gr
 def base():
     texts = [(ROOT / "config" / name).read_text(encoding="utf-8") for name in ("config.yaml", "studies/life.yaml")]
     return merged(*map(yaml.safe_load, texts))
-
-
-def reader(field):
-    entry = entry_type(field.annotation)
-    return adapter_of(field) if entry is None else adapter(entry)
 
 
 def takes_any_text(schema):
@@ -79,7 +73,7 @@ def test_a_free_name_is_no_path(table):
 
 
 def test_every_other_text_is_one_of_a_few_words_or_the_name_of_a_case():
-    names = {".".join(path) for path, field in leaves() if takes_any_text(reader(field).json_schema())}
+    names = {".".join(path) for path, field in leaves() if takes_any_text(schema_of(field))}
     assert names == {*map(".".join, CASES), *OF_STUDIES}
     for *way, last in CASES:
         raw = base()

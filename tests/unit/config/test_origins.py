@@ -3,8 +3,10 @@
 from pathlib import Path
 
 import pytest
+import yaml
 
-from gearwear.config.origins import command_line_layer, file_layer, origin
+from gearwear.config.check import check
+from gearwear.config.origins import command_line_layer, file_layer, origin, rows
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -77,3 +79,41 @@ def test_a_section_that_yaml_merges_in_counts_as_set():
 def test_a_file_that_sets_nothing(text):
     layers = [DEFAULT, file_layer("empty.yaml", text)]
     assert origin(("backlash", "half_backlash"), layers).startswith("text: mean initial backlash")
+
+
+def listed(changes=None):
+    text = (ROOT / "config" / "config.yaml").read_text()
+    config = check(yaml.safe_load(text) | (changes or {}))
+    layers = [file_layer("config.yaml", text), command_line_layer(changes or {})]
+    found = {key: rest for key, *rest in rows(config, layers)}
+    assert len(found) == len(list(rows(config, layers)))
+    return config, found
+
+
+def values_of(config, path=()):
+    """Yield dotted key and value of everything that is no section."""
+    for name, value in config.items():
+        if isinstance(value, dict):
+            yield from values_of(value, (*path, name))
+        else:
+            yield ".".join((*path, name)), value
+
+
+def test_every_value_of_the_configuration_is_listed_once():
+    config, found = listed()
+    assert set(found) == {key for key, _ in values_of(config)}
+
+
+def test_rows_hold_value_unit_origin_and_meaning():
+    _, found = listed()
+    assert found["material.gear.density"] == ["7850.0", "kg/m3", "field: case-hardening gear steel", "Density."]
+    assert found["cases.with.running_cycles"][:2] == ["2100000000", "1"]
+    assert found["backlash.projection"][:2] == ["shi", "-"]
+    assert found["gear_pair.centre_distance"][0] == "null"
+
+
+def test_overrides_of_a_member_stand_in_one_row():
+    overridden = {"cases": {"with": {"bulk_temperature": 120.0}}}
+    _, found = listed({"studies": {"heat": {"members": {"t120": overridden}}}})
+    assert found["studies.heat.members.t120"][0] == '{"cases": {"with": {"bulk_temperature": 120.0}}}'
+    assert found["studies.heat.members.t120"][2] == "command line"

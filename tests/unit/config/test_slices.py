@@ -10,21 +10,10 @@ import yaml
 from gearwear.config.slices import STAGES, slice_of
 
 ROOT = Path(__file__).resolve().parents[3]
-BY_NAME = ("sweep", "branches", "portraits", "motions", "basins", "given_excitation")
-CHAIN = (
-    "temperature",
-    "deformation",
-    "mesh_stiffness",
-    "transmission_error",
-    "backlash",
-    "response",
-    "advance_wear",
-    "excitation",
-    "sweep",
-    "onsets",
-)
-IN_ONE_PROCESS = {"measures", "calibration", "chain", "member_onsets", "outcome", "study"}
-MAPS = {"map_ste", "map_backlash", "map_temperature", "map_wear"}
+BY_NAME = ("sweep", "branches", "portraits", "motions", "basins", "prescribed_excitation")
+CHAIN = ("temperature", "deformation", "mesh_excitation", "response", "wear", "excitation", "sweep", "case_onsets")
+IN_ONE_PROCESS = {"measures", "calibration", "wear_history", "member_onsets", "outcome", "study"}
+MAPS = {"map_ste", "map_backlash", "temperature_map_tile", "map_wear"}
 
 
 @pytest.fixture
@@ -80,34 +69,34 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("micro_geometry.tip_relief.gear.amount", {"geometry"}),
         ("micro_geometry.base_pitch_difference", {"geometry"}),
         ("material.pinion.density", {"geometry", "temperature"}),
-        ("material.gear.youngs_modulus", {"temperature", "advance_wear", "mesh_stiffness"}),
-        ("material.gear.thermal_expansion", {"temperature", "deformation", "advance_wear", "mesh_stiffness"}),
-        ("elasticity.law", {"temperature", "advance_wear", "mesh_stiffness"}),
+        ("material.gear.youngs_modulus", {"temperature", "wear", "mesh_excitation"}),
+        ("material.gear.thermal_expansion", {"temperature", "deformation", "wear", "mesh_excitation"}),
+        ("elasticity.law", {"temperature", "wear", "mesh_excitation"}),
         (
             "operation.pinion_torque",
-            {"temperature", "transmission_error", "advance_wear", "response", "excitation"} | MAPS,
+            {"temperature", "mesh_excitation", "wear", "response", "excitation"} | MAPS,
         ),
-        ("operation.pinion_speed", {"temperature", "advance_wear", "response"}),
-        ("lubricant.composite_roughness", {"temperature", "advance_wear", "warnings"}),
+        ("operation.pinion_speed", {"temperature", "wear", "response"}),
+        ("lubricant.composite_roughness", {"temperature", "wear", "warnings"}),
         ("friction.dry", {"temperature"}),
         ("heat.flash_coefficient", {"temperature"}),
         ("heat.growth", {"deformation"}),
-        ("mesh_stiffness.hertz", {"temperature", "mesh_stiffness"}),
-        ("transmission_error.mode", {"transmission_error"}),
-        ("backlash.half_backlash", {"backlash"}),
-        ("backlash.housing.temperature_rise", {"backlash"}),
-        ("heat.initial_temperature", {"deformation", "backlash"}),
-        ("wear.cycles_per_update", {"advance_wear"}),
+        ("mesh_stiffness.hertz", {"temperature", "mesh_excitation"}),
+        ("transmission_error.mode", {"mesh_excitation"}),
+        ("backlash.half_backlash", {"mesh_excitation"}),
+        ("backlash.housing.temperature_rise", {"mesh_excitation"}),
+        ("heat.initial_temperature", {"deformation", "mesh_excitation"}),
+        ("wear.cycles_per_update", {"wear"}),
         ("dynamics.clearance", {"response", "excitation"} | MAPS),
-        ("dynamics.start.at", {"response", "sweep", "onsets", "portraits"} | MAPS),
+        ("dynamics.start.at", {"response", "sweep", "case_onsets", "portraits"} | MAPS),
         (
             "dynamics.damping_ratio",
-            {"response", "sweep", "branches", "onsets", "portraits", "motions", "basins"} | MAPS,
+            {"response", "sweep", "branches", "case_onsets", "portraits", "motions", "basins"} | MAPS,
         ),
-        ("oscillators.with.mean_force", {"given_excitation"}),
+        ("oscillators.with.mean_force", {"prescribed_excitation"}),
         ("oscillators.without.mean_force", set()),
-        ("settling.largest_period", {"response", "sweep", "onsets", "portraits", "basins"} | MAPS),
-        ("cases.with.bulk_temperature", {"temperature", "deformation", "advance_wear", "mesh_stiffness", "backlash"}),
+        ("settling.largest_period", {"response", "sweep", "case_onsets", "portraits", "basins"} | MAPS),
+        ("cases.with.bulk_temperature", {"temperature", "deformation", "wear", "mesh_excitation"}),
         ("cases.with.flash", {"temperature"}),
         ("cases.with.running_cycles", set()),
         ("cases.without.bulk_temperature", set()),
@@ -116,10 +105,10 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("sweeps.backlash.mesh_frequency", {"sweep", "branches", "portraits", "motions", "basins"}),
         ("sweeps.ste.points", set()),
         ("sweeps.backlash.cases", set()),
-        ("sweeps.order", {"onsets", "onset_shifts"}),
-        ("onsets.refinement", {"onsets"}),
+        ("sweeps.order", {"case_onsets", "onset_shifts"}),
+        ("onsets.refinement", {"case_onsets"}),
         ("onsets.members", {"onset_shifts"}),
-        ("sensitivity.damping_ratio.low", {"sensitivity"}),
+        ("sensitivity.damping_ratio.low", {"sensitivity_comparison"}),
         ("calibration.islands", set()),
         ("onsets.box.bore_radius.low", {"onset_shifts"}),
         ("branches.largest_period", {"branches"}),
@@ -132,9 +121,9 @@ def test_slice_does_not_depend_on_the_order_of_keys_and_leaves_the_configuration
         ("portraits.mesh_frequency.without", set()),
         ("figures.diagonal", set()),
         ("maps.case", set()),
-        ("dynamics.stiffness", {"response", "excitation", "handover"} | MAPS),
+        ("dynamics.stiffness", {"response", "excitation", "handover_dataset"} | MAPS),
         ("maps.mesh_frequency.points", MAPS),
-        ("maps.temperature", {"map_temperature"}),
+        ("maps.temperature", {"temperature_map_tile"}),
         ("sweeps.backlash.reading", {"sweep", "branches", "portraits", "motions", "map_backlash", "basins"}),
     ],
 )
@@ -147,12 +136,13 @@ def test_a_key_reaches_its_stages_and_no_other(config, keys, stages):
 @pytest.mark.parametrize(
     ("keys", "reached"),
     [
-        ("gear_pair.module", {"measures", "calibration", "chain", "member_onsets"}),
-        ("dynamics.damping_ratio", {"measures", "calibration", "chain", "member_onsets", "outcome"}),
-        ("operation.pinion_speed", {"measures", "calibration", "chain", "member_onsets", "outcome"}),
-        ("cases.with.bulk_temperature", {"measures", "calibration", "chain", "member_onsets"}),
+        ("gear_pair.module", {"measures", "calibration", "wear_history", "member_onsets"}),
+        ("dynamics.damping_ratio", {"measures", "calibration", "wear_history", "member_onsets", "outcome"}),
+        ("operation.pinion_speed", {"measures", "calibration", "wear_history", "member_onsets", "outcome"}),
+        ("cases.with.bulk_temperature", {"measures", "calibration", "wear_history", "member_onsets"}),
         ("cases.with.running_cycles", {"measures", "calibration", "member_onsets"}),
-        ("cases.without.bulk_temperature", {"measures", "calibration", "chain", "member_onsets"}),  # the reference
+        # the reference
+        ("cases.without.bulk_temperature", {"measures", "calibration", "wear_history", "member_onsets"}),
         ("cases.wear_only.bulk_temperature", set()),
         ("sweeps.mesh_frequency.points", {"measures", "calibration", "member_onsets", "outcome", "study"}),
         ("sweeps.mesh_frequency.cases", set()),
@@ -191,15 +181,9 @@ def test_stages_of_the_wear_chain_do_not_know_the_case_by_name(config, stage):
     assert cut(config, stage, "twin") == cut(config, stage, "with")
 
 
-def test_load_dependent_contact_lets_the_torque_reach_the_stiffness(config):
-    assert "operation" not in cut(config, "mesh_stiffness")
-    config["mesh_stiffness"]["hertz"] = "weber"
-    assert cut(config, "mesh_stiffness")["operation"] == {"pinion_torque": config["operation"]["pinion_torque"]}
-
-
 def test_slices_of_the_stages_before_the_cases_need_no_case(config):
     assert slice_of(config, "geometry")["grid"] == {"mesh_cells": 240}
-    assert slice_of(config, "start_wear") == {}
+    assert slice_of(config, "unworn") == {}
 
 
 def test_every_key_of_the_physics_reaches_a_stage(config):

@@ -7,12 +7,12 @@ import pytest
 import yaml
 
 from gearwear.config.check import check
-from gearwear.config.gear_sections import Heat, TransmissionError
-from gearwear.config.key_types import adapter, keys, unit_of
-from gearwear.config.members import hindrance, members
-from gearwear.config.sensitivity_parameters import ENDS, OPTION, PARAMETER, PLACES, value_at
+from gearwear.config.members import members, refusal
+from gearwear.config.pair import Heat, TransmissionError
+from gearwear.config.parameters import ENDS, OPTION, PARAMETER, PLACES
 from gearwear.config.slices import slice_of
-from gearwear.config.study_sections import Configuration
+from gearwear.config.study import Configuration
+from gearwear.config.types import keys, schema_of, unit_of
 from gearwear.config.variations import STUDY, variations
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -131,7 +131,7 @@ def test_both_ends_of_every_parameter_are_variations_but_for_the_value_of_the_st
 
 def test_ends_have_unit_and_limits_of_their_key(study):
     def limits(field):
-        schema = adapter(field.annotation, tuple(field.metadata)).json_schema()
+        schema = schema_of(field)
         return schema.get("anyOf", [schema])[0]  # the number, where null is allowed too
 
     declared = {".".join(path): field for path, field in keys(Configuration)}
@@ -146,12 +146,7 @@ def test_an_option_that_the_rest_does_not_allow_is_no_member_and_says_why(study)
     config = study(lubricant={"dynamic_viscosity_40": 0.005})
     vogel = options(config)[("lubricant.viscosity_law", "vogel")]
     assert f"studies/{STUDY}/{vogel.name}/" not in members(config)
-    assert hindrance(config, vogel.overrides).startswith(
+    assert refusal(config, vogel.overrides).startswith(
         "lubricant.dynamic_viscosity_40: 0.005 is not above lubricant.dynamic_viscosity, 0.0094 Pa s"
     )
-    assert hindrance(config, {}) == ""
-
-
-def test_value_at_passes_over_what_is_absent():
-    assert value_at({"a": {"b": 1}}, "a.b") == 1
-    assert value_at({"a": {"b": 1}}, "a.c") is value_at({"a": 1}, "a.b") is value_at({}, "a.b") is None
+    assert refusal(config, {}) == ""

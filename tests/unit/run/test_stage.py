@@ -57,14 +57,6 @@ def in_this_process(monkeypatch):
     monkeypatch.setattr("gearwear.run.stage.end_with_workflow", lambda: None)
 
 
-def test_a_job_does_without_the_library_of_units(job, script, in_this_process, monkeypatch):
-    for name in [name for name in sys.modules if name.partition(".")[0] == "pint"]:
-        monkeypatch.delitem(sys.modules, name)
-    with stage.logged(job, script), pytest.raises(ImportError):
-        import pint
-    import pint  # noqa: F401, F811  (that it can be imported again is the test)
-
-
 def test_output_goes_to_the_log_of_the_job(job, script, in_this_process, capsys):
     with stage.logged(job, str(script)):
         stage.log.info("mean %.1f um", 3.25)

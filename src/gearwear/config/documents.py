@@ -1,21 +1,23 @@
-"""The JSON schema of the configuration, and the tables of its keys for the documentation, both taken from the models.
+"""The JSON schema of the configuration, and the tables of its keys for the documentation, both from the models.
 
-Run as `python -m gearwear.config.key_table` after a change of the models to write the schema.
+Run as `python -m gearwear.config.documents` after a change of the models to write the schema.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from pydantic.fields import FieldInfo
 
-from gearwear.config.key_types import adapter, adapter_of, entry_type, further, is_section, keys, placeholder, unit_of
+from gearwear.config.messages import allowed
 from gearwear.config.slices import readers
-from gearwear.config.study_sections import Configuration
-from gearwear.config.wording import allowed, figure
+from gearwear.config.study import Configuration, leaves
+from gearwear.config.text import figure
+from gearwear.config.types import declared, entry_type, schema_of, unit_of
 
 ROOT = Path(__file__).resolve().parents[3]
 SCHEMA_FILE = Path("workflow/schemas/config.schema.json")
@@ -30,7 +32,12 @@ def schema_text() -> str:
     schema = _without_titles(Configuration.model_json_schema())
     schema["$schema"] = "https://json-schema.org/draft/2020-12/schema"
     schema["title"] = "Configuration of the gear wear workflow"
-    return json.dumps(schema, indent=2, sort_keys=True, ensure_ascii=True) + "\n"
+    text = json.dumps(schema, indent=2, sort_keys=True, ensure_ascii=True) + "\n"
+    # Generic sections are named by the types of their values, which take several lines.
+    for number, name in enumerate(name for name in schema["$defs"] if "_Annotated_" in name):
+        kind = re.split("_+Annotated_", name)[0].rpartition("__")[2]
+        text = text.replace(name + '"', f'{kind}{number}"')
+    return text
 
 
 def table_text(defaults: dict[str, Any], stages: Mapping[str, tuple[str, ...]]) -> str:
@@ -47,22 +54,9 @@ def table_text(defaults: dict[str, Any], stages: Mapping[str, tuple[str, ...]]) 
         entry = entry_type(field.annotation)
         meaning = (field.annotation if entry is None else entry).__doc__ or ""
         lines += ["", f"## {name}", "", meaning, ""]
-        lines += [
-            "| key | unit | allowed | default | meaning | re-runs |",
-            "| --- | --- | --- | --- | --- | --- |",
-        ]
+        lines += ["| key | unit | allowed | default | meaning | re-runs |", "| --- | --- | --- | --- | --- | --- |"]
         lines += [_row(path, leaf, defaults, stages) for path, leaf in leaves() if path[0] == name]
     return "\n".join(lines[1:]) + "\n"
-
-
-def leaves() -> Iterator[tuple[tuple[str, ...], FieldInfo]]:
-    """Yield path and declaration of every key that holds a value; free names appear as placeholders."""
-    for path, field in keys(Configuration):
-        entry = entry_type(field.annotation)
-        if entry is not None and not is_section(entry):
-            yield (*path, placeholder(field)), field
-        elif entry is None and not is_section(field.annotation):
-            yield path, field
 
 
 def write(root: Path = ROOT) -> None:
@@ -86,13 +80,11 @@ def _without_titles(schema: Any) -> Any:
 def _row(
     path: tuple[str, ...], field: FieldInfo, defaults: dict[str, Any], stages: Mapping[str, tuple[str, ...]]
 ) -> str:
-    entry = entry_type(field.annotation)
-    reader = adapter_of(field) if entry is None else adapter(entry)
-    decided = [what for mark, what in _DECIDES.items() if further(field, mark)]
+    decided = [what for mark, what in _DECIDES.items() if declared(field, mark)]
     cells = (
         f"`{'.'.join(path)}`",
         unit_of(field) or "-",
-        allowed(reader.json_schema()),
+        allowed(schema_of(field)),
         _default(defaults, path),
         field.description or "",
         f"none: decides {decided[0]}" if decided else ", ".join(readers(path, stages)),

@@ -1,33 +1,76 @@
-"""Kinds of configuration values, and how YAML and the command line may spell them."""
+"""Kinds of configuration values, and how YAML and the command line may write them."""
 
 from __future__ import annotations
 
 import math
 import re
 from collections.abc import Iterator
-from functools import cache
-from typing import Annotated, Any, TypeGuard, get_args, get_origin
+from typing import Annotated, Any, Generic, TypeGuard, TypeVar, get_args, get_origin
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, Strict, StringConstraints, TypeAdapter
-from pydantic.config import JsonDict
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, Strict, TypeAdapter, WithJsonSchema, field_validator
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticCustomError
 
-from gearwear.config.units import NUMERAL
+from gearwear.config import units
+from gearwear.config.parameters import CASE_NAME
 
-SWEEPS = ("mesh_frequency", "ste", "backlash")
-CASE_NAME = "[a-z][a-z0-9_]*"
-_NUMERAL = re.compile(NUMERAL, re.ASCII)
+UNUSABLE = object()  # in place of a missing or bad value where only the others are wanted
+_NUMERAL = re.compile(units.NUMERAL, re.ASCII)
+
+Value = TypeVar("Value")
 
 
 class Section(BaseModel):
     """A group of keys: all of them are required, no other is allowed."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False)
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, defer_build=True)
+
+    @field_validator("*", mode="wrap")
+    @classmethod
+    def _in_unit_of_key(cls, value: Any, validate: Any, info: Any) -> Any:
+        if value is UNUSABLE:
+            return value
+        unit = unit_of(cls.model_fields[info.field_name]) if isinstance(value, str | list) else None
+        return validate(_in_unit(value, unit) if unit else value)
+
+
+class Both(Section, Generic[Value]):
+    """Values of pinion and gear."""
+
+    pinion: Value
+    gear: Value
+
+
+class Range(Section, Generic[Value]):
+    """Range of a parameter."""
+
+    low: Value
+    high: Value
+
+
+class Interval(Section, Generic[Value]):
+    """First and last value."""
+
+    first: Value
+    last: Value
+
+
+def _in_unit(value: Any, unit: str) -> Any:
+    """Convert text with a unit, alone or in a list; a unit that does not fit becomes a UnitError."""
+    if isinstance(value, str):
+        try:
+            return units.plain(value, unit)
+        except units.UnitError as error:
+            return error
+    if isinstance(value, list):
+        return [_in_unit(item, unit) if isinstance(item, str) else item for item in value]
+    return value
 
 
 def _read_number(value: Any) -> float:
     # YAML 1.1 takes 1e-8 for text, and --config hands every nested value over as text.
+    if isinstance(value, units.UnitError):
+        raise PydanticCustomError("unit", str(value))
     if isinstance(value, str) and _NUMERAL.fullmatch(value.strip()):
         value = value.strip()
     elif isinstance(value, bool) or not isinstance(value, int | float):
@@ -44,8 +87,8 @@ def _read_number(value: Any) -> float:
 def _read_whole(value: Any) -> int:
     try:
         number = _read_number(value)
-    except PydanticCustomError as refused:
-        if refused.type == "not_a_number":
+    except PydanticCustomError as error:
+        if error.type == "not_a_number":
             raise PydanticCustomError("not_whole", "not a whole number") from None
         raise
     if not number.is_integer():
@@ -72,10 +115,10 @@ Number = Annotated[float, ReadNumber]
 Whole = Annotated[int, ReadWhole]
 Flag = Annotated[bool, Strict(), BeforeValidator(_read_flag)]
 Name = Annotated[str, Strict()]
-CaseName = Annotated[str, StringConstraints(pattern=f"^{CASE_NAME}$", strict=True)]
+CaseName = Annotated[str, Strict(), WithJsonSchema({"type": "string", "pattern": f"^{CASE_NAME}$"})]  # see rules.py
 Names = Annotated[list[Name], Strict()]
 Numbers = Annotated[list[Number], Strict()]
-OrNull = BeforeValidator(_read_nullable)
+Nullable = Annotated[Value | None, BeforeValidator(_read_nullable)]
 OrOff = BeforeValidator(_read_off)
 
 
@@ -86,8 +129,8 @@ def quantity(unit: str, meaning: str, **limits: Any) -> Any:
 
 def choice(meaning: str, **options: str) -> Any:
     """Declare a choice with the meaning of every option, in the order of the options in the type."""
-    told = "; ".join(f"{option} = {what}" for option, what in options.items())
-    return Field(description=f"{meaning}: {told}.")
+    described = "; ".join(f"{option} = {what}" for option, what in options.items())
+    return Field(description=f"{meaning}: {described}.")
 
 
 def plain(meaning: str) -> Any:
@@ -96,13 +139,13 @@ def plain(meaning: str) -> Any:
 
 
 def target(meaning: str, unit: str | None = None, **limits: Any) -> Any:
-    """Declare a key that decides which files are made and never what stands in them."""
-    further: JsonDict = {"decides_targets": True} | ({"unit": unit} if unit else {})
-    return Field(description=meaning, json_schema_extra=further, **limits)
+    """Declare a key that decides which files are made and never what they contain."""
+    unit_or_none: dict[str, Any] = {"unit": unit} if unit else {}
+    return Field(description=meaning, json_schema_extra={"decides_targets": True, **unit_or_none}, **limits)
 
 
-def cut(meaning: str, unit: str, **limits: Any) -> Any:
-    """Declare a number that decides which jobs make the files and never what stands in them."""
+def jobs(meaning: str, unit: str, **limits: Any) -> Any:
+    """Declare a number that decides which jobs make the files and never what they contain."""
     return Field(description=meaning, json_schema_extra={"decides_jobs": True, "unit": unit}, **limits)
 
 
@@ -121,36 +164,30 @@ def entry_type(annotation: Any) -> Any:
     return get_args(annotation)[1] if get_origin(annotation) is dict else None
 
 
-def further(field: FieldInfo, name: str) -> Any:
+def declared(field: FieldInfo, name: str) -> Any:
     """Return what the declaration of a key says beyond its type and meaning, None if it does not."""
-    said = field.json_schema_extra
-    return said.get(name) if isinstance(said, dict) else None
+    extra = field.json_schema_extra
+    return extra.get(name) if isinstance(extra, dict) else None
 
 
 def free_names(field: FieldInfo) -> str:
-    """Return what the free names of a table stand for, in the plural."""
-    return further(field, "entries") or "cases"
+    """Return what the free names of a table denote, in the plural."""
+    return declared(field, "entries") or "cases"
 
 
 def unit_of(field: FieldInfo) -> str | None:
     """Return the unit of a key, None for keys that are no numbers."""
-    return further(field, "unit")
+    return declared(field, "unit")
 
 
-@cache
-def adapter(annotation: Any, metadata: tuple[Any, ...] = ()) -> TypeAdapter:
-    """Return what reads the values of one key, limits included."""
-    return TypeAdapter(Annotated[(annotation, *metadata)] if metadata else annotation)
-
-
-def adapter_of(field: FieldInfo) -> TypeAdapter:
-    """Return what reads the values of a key as it is declared."""
-    annotation: Any = field.annotation
-    return adapter(annotation, tuple(field.metadata))
+def schema_of(field: FieldInfo) -> dict[str, Any]:
+    """Return the JSON schema of the value of a key, limits included; for a table, that of an entry."""
+    kind: Any = entry_type(field.annotation) or Annotated[(field.annotation, *field.metadata, None)]
+    return TypeAdapter(kind).json_schema()
 
 
 def placeholder(field: FieldInfo) -> str:
-    """Return what stands for any free name of a table in dotted keys."""
+    """Return the placeholder for any free name of a table in dotted keys."""
     return "<case>" if free_names(field) == "cases" else "<name>"
 
 
