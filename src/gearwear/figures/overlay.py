@@ -15,7 +15,7 @@ from matplotlib.lines import Line2D
 
 from gearwear.compare import results_folder
 from gearwear.errors import BadFile
-from gearwear.figures import path_axis, phase_axis
+from gearwear.figures import contact_axes
 from gearwear.figures.sheet import DOUBLE, MILLIMETRE, SINGLE
 from gearwear.io.atomic import atomic
 
@@ -142,20 +142,20 @@ def _write(figure: Figure, path: Path) -> Iterator[Path]:
 
 def _on_path(field: Callable[[xr.Dataset], xr.DataArray]) -> Draw:
     def draw(axes: Axes, pair: xr.Dataset, dataset: xr.Dataset, line: dict[str, Any]) -> None:
-        path_axis.draw(axes, field(dataset), 1e6, **line)
+        contact_axes.draw_along_path(axes, field(dataset), 1e6, **line)
         if np.abs(axes.dataLim.intervaly).max() < _NOTHING:
             axes.set_ylim(-0.05, 0.05)
         else:
             axes.set_ylim(auto=True)
-        path_axis.mark(axes, pair)
+        contact_axes.mark_path(axes, pair)
 
     return draw
 
 
 def _over_the_mesh(name: str, scale: float) -> Draw:
     def draw(axes: Axes, pair: xr.Dataset, dataset: xr.Dataset, line: dict[str, Any]) -> None:
-        phase_axis.draw(axes, pair, scale * dataset[name].values, **line)
-        phase_axis.mark(axes, pair)
+        contact_axes.draw_over_phase(axes, pair, scale * dataset[name].values, **line)
+        contact_axes.mark_phase(axes, pair)
 
     return draw
 

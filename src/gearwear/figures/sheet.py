@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from gearwear.io.atomic import atomic
 
 SINGLE, DOUBLE = 85.0, 175.0  # column widths, mm
-_MILLIMETRE = 1 / 25.4  # inch
+MILLIMETRE = 1 / 25.4  # inch
 _MOST_COLUMNS = 4  # of a legend: more run off a sheet of two columns' width
 
 Draw = TypeVar("Draw", bound=Callable[..., None])
@@ -63,7 +63,7 @@ def write(draw: Callable[..., None], inputs: Mapping[str, Any], style: str, svg:
     if callable(height):
         height = height(**inputs)
     with matplotlib.style.context(style, after_reset=True):
-        figure = Figure(figsize=(width * _MILLIMETRE, height * _MILLIMETRE), layout=layout)
+        figure = Figure(figsize=(width * MILLIMETRE, height * MILLIMETRE), layout=layout)
         draw(figure, **inputs)
         source = " ".join(["gearwear", *_lineages(inputs)])
         with atomic(svg) as vector, atomic(png) as pixels:
