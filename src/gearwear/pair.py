@@ -519,11 +519,6 @@ class GearPair:
         '0.2 um'
         >>> error = pair.transmission_error(torque=135.0, wear=worn.isel(wear_cycle=-1))
         """
-        updates = cycles / cycles_per_update
-        if not (updates >= 0 and float(updates).is_integer()):
-            raise GearwearError(
-                f"cycles: {cycles:g} is not a whole multiple of cycles_per_update, {cycles_per_update:g}"
-            )
         cfg = self._at(bulk_temperature) | self._under(torque, speed)
         cfg["wear"] = _checked(
             sections.Wear,
@@ -536,6 +531,11 @@ class GearPair:
                 "gear_cycles": gear_cycles,
             },
         )
+        updates = cycles / cycles_per_update
+        if not (updates >= 0 and float(updates).is_integer()):
+            raise GearwearError(
+                f"cycles: {cycles:g} is not a whole multiple of cycles_per_update, {cycles_per_update:g}"
+            )
         cfg |= {"dynamics": _dynamics(**dynamics), "settling": SETTLING._asdict()}
         grown, flanks = self._flanks(bulk_temperature, wear, growth)
         reference = self._reference(torque)
@@ -762,6 +762,8 @@ def _heat_balance(given: HeatBalance) -> dict[str, Any]:
 
 def _sections(given: dict[str, Any]) -> dict[str, Any]:
     """Return the sections of the configuration for the arguments of GearPair."""
+    if not isinstance(given["lubricant"], Lubricant):
+        raise GearwearError(f"lubricant: {given['lubricant']!r}; give a Lubricant")
     values = given | given["lubricant"]._asdict()
     for name in ("teeth", "addendum_coefficient", "profile_shift", "bore_radius", "inertia"):
         values[name] = _both(name, given[name])
@@ -786,13 +788,22 @@ def _both(name: str, value: Any, one: type = str) -> dict[str, Any]:
 
     Parameters
     ----------
-    one : type of one value that is a sequence itself.
+    one : type of one value, if it is one of this module.
     """
-    if isinstance(value, one) or not isinstance(value, Sequence | np.ndarray):
-        return dict.fromkeys(GEARS, value)
-    if len(value) != len(GEARS):
-        raise GearwearError(f"{name}: {len(value)} values; give (pinion, gear), or one value for both")
-    return dict(zip(GEARS, value, strict=True))
+    single = isinstance(value, one) or not isinstance(value, Sequence | np.ndarray)
+    both = [value] * len(GEARS) if single else list(value)
+    if len(both) != len(GEARS):
+        raise GearwearError(f"{name}: {len(both)} values; give (pinion, gear), or one value for both")
+    if one is not str and not all(isinstance(each, one) for each in both):
+        raise GearwearError(f"{name}: {value!r}; give a {one.__name__}, or two, of pinion and gear")
+    return dict(zip(GEARS, both, strict=True))
+
+
+def _plain(value: Any) -> Any:
+    """Return numbers of numpy, in dicts too, as builtin ones."""
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    return value.item() if isinstance(value, np.generic) else value
 
 
 def _checked(section: type[Section], values: dict[str, Any], **arguments: str) -> dict[str, Any]:
@@ -807,7 +818,7 @@ def _checked(section: type[Section], values: dict[str, Any], **arguments: str) -
     GearwearError : a value is not allowed; the message names argument, value and what is allowed.
     """
     try:
-        return section.model_validate(values).model_dump()
+        return section.model_validate(_plain(values)).model_dump()
     except ValidationError as refused:
         path, words = problems_of(refused, Place((), section, FieldInfo(), values))[0]
     name = arguments.get(path[-1], ".".join(part for part in path if part not in GEARS))

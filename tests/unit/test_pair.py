@@ -63,6 +63,19 @@ def test_the_defaults_are_those_of_the_default_study(config, pair):
         assert values == config[section], section
 
 
+def test_numbers_and_arrays_of_numpy_are_taken():
+    numbers = np.array([26, 78]), np.float32(0.003175), np.float64(16e-3), np.array([16e-3, 55e-3])
+    pair = gearwear.GearPair(*numbers, mesh_cells=np.int64(CELLS))
+    assert pair._cfg["gear_pair"]["teeth"] == {"pinion": 26, "gear": 78}
+
+
+def test_a_body_is_held_where_the_workflow_holds_it_by_default():
+    raw = yaml.safe_load((ROOT / "config" / "config.yaml").read_text())
+    raw["gear_pair"]["bore_radius"] = {"pinion": None, "gear": None}
+    found = gearwear.GearPair((26, 78), 3.175e-3, 16e-3)._cfg["gear_pair"]
+    assert found["bore_radius"] == check(raw)["gear_pair"]["bore_radius"]
+
+
 def test_geometry_is_that_of_the_stage(config, pair):
     assert_same(pair.geometry, geometry(config))
     assert pair.geometry["path"].attrs["units"] == "m"
@@ -279,6 +292,8 @@ PAIR = {"teeth": (26, 78), "module": 3e-3, "face_width": 16e-3, "bore_radius": (
             {"tip_relief": (gearwear.TipRelief(), gearwear.TipRelief(length=3.0))},
             "tip_relief.length of the gear: 3.0 is above the largest allowed value 2",
         ),
+        ({"tip_relief": 1e-5}, "tip_relief: 1e-05; give a TipRelief, or two, of pinion and gear"),
+        ({"lubricant": {}}, "lubricant: {}; give a Lubricant"),
         ({"housing_expansion": 1.0}, "housing_expansion: 1.0 is above the largest allowed value 3.0e-4"),
         ({"profile_shift": (1.9, 1.9), "centre_distance": 0.156}, "the teeth jam"),
         ({"bore_radius": (0.05, 0.055)}, "bore_radius.pinion: 50 mm is not below the root radius"),
@@ -304,6 +319,7 @@ def test_a_pair_that_cannot_be_is_refused_by_its_argument(changed, message):
         (lambda pair: pair.mesh_stiffness(wear=-1e-6), "wear: -1e-06 m; a depth is from 0"),
         (lambda pair: pair.mesh_stiffness(growth=xr.Dataset()), "growth: the dataset has no thermal_growth"),
         (lambda pair: pair.wear(100.0, 3e3, 1.5e8), "cycles: 1.5e[+]08 is not a whole multiple of cycles_per_update"),
+        (lambda pair: pair.wear(100.0, 3e3, 1e8, cycles_per_update=0), "cycles_per_update: 0.* is below the least"),
         (lambda pair: pair.wear(100.0, 3e3, 1e8, law="other"), "law: .* give janakiraman or constant"),
         (lambda pair: pair.oscillator(100.0, harmonics=0), "harmonics: 0"),
         (lambda pair: pair.oscillator(100.0, start="anywhere"), "start: 'anywhere'; give stiffest_mesh or pair_entry"),
