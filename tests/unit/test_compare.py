@@ -238,6 +238,13 @@ def test_tables_of_how_a_run_was_made_are_not_compared(runs):
     assert compare(*runs(versions=("a\n1\n", "a\n2\n"), parameters=("a\n1\n", "a\n2\n"))).files == 1
 
 
+def test_hidden_folders_are_no_results(runs):
+    folders = runs()
+    (folders[0] / ".cache").mkdir()
+    (folders[0] / ".cache" / "other.csv").write_text("a\n1\n")
+    assert compare(*folders).equal
+
+
 def test_parents_of_results_and_single_files_are_taken(runs):
     a, b = runs(changed("wear_depth", (0, 0), 9.0))
     assert only(compare(a.parent, b)).variable == "wear_depth"
@@ -260,13 +267,15 @@ def test_exit_status_and_table_say_what_differs(runs, capsys):
 
 
 def test_wear_cycles_share_a_line_that_names_the_worst(runs, capsys):
-    runs(changed("running_cycles", (), 2e8))
-    folders = runs(changed("running_cycles", (), 3e8), "with/wear/q002.nc")
+    small, large = changed("wear_depth", (0, 0), 2e-6), changed("wear_depth", (1, 2), 8e-6)
+    runs(small)
+    folders = runs(large, "with/wear/q002.nc")
     assert main(["compare", *map(str, folders)]) == DIFFERENT
-    printed = capsys.readouterr().out
-    assert "with/wear/*.nc\n  running_cycles: 2 of 2 values differ in 2 files; largest difference 2e+08 at q002.nc" in (
-        printed
-    )
+    assert capsys.readouterr().out.splitlines()[:2] == [
+        "with/wear/*.nc",
+        "  wear_depth: 2 of 12 values differ in 2 files; largest difference 3e-06 m at gear = gear, path = 0.015 m, "
+        "q002.nc (A 5e-06, B 8e-06), largest relative 0.5 at gear = pinion, path = 0.005 m, q001.nc",
+    ]
 
 
 def test_the_table_for_machines_holds_everything(runs, capsys):

@@ -267,6 +267,7 @@ def test_arrays_give_the_oscillator_of_the_pair_that_they_come_from(pair, load):
         ).excitation
         assert found.stiffness == expected.stiffness
         assert found.shape == expected.shape
+        assert found.clearance == expected.clearance
         for name in ("force_parameter", "natural_frequency", "error_amplitude", "mean_force", "length"):
             assert getattr(found, name) == pytest.approx(getattr(expected, name), rel=1e-14), name
 
