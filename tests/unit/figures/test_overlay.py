@@ -51,23 +51,33 @@ def runs(tmp_path_factory):
     return folder / "a", folder / "b"
 
 
-@pytest.fixture
-def drawn(runs, tmp_path, monkeypatch):
-    """Return the figures by name, without their files."""
-    figures = {}
+@pytest.fixture(scope="module")
+def figures_of():
+    """Return a function that gives the figures of two runs by name, without writing them."""
 
-    def keep(figure, path):
-        figures[path.name] = figure
-        return [path]
+    def of(a, b, folder):
+        figures = {}
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(module, "_write", lambda figure, path: figures.update({path.name: figure}) or [path])
+            overlay(a, b, folder)
+        return figures
 
-    monkeypatch.setattr(module, "_write", keep)
-    overlay(*runs, tmp_path)
-    return figures
+    return of
 
 
-def test_every_figure_has_its_files_with_both_runs_in_two_colours(runs, tmp_path):
+@pytest.fixture(scope="module")
+def drawn(runs, figures_of, tmp_path_factory):
+    return figures_of(*runs, tmp_path_factory.mktemp("figures"))
+
+
+def test_every_figure_is_drawn(drawn):
+    assert list(drawn) == NAMES
+
+
+def test_a_figure_is_two_files_with_both_runs_in_two_colours(runs, tmp_path, monkeypatch):
+    monkeypatch.setattr(module, "_FIGURES", {name: module._FIGURES[name] for name in ("fig09", "fig12")})
     written = overlay(*runs, tmp_path / "figures")
-    assert [path.name for path in written] == [f"{name}{suffix}" for name in NAMES for suffix in (".png", ".svg")]
+    assert [path.name for path in written] == ["fig09.png", "fig09.svg", "fig12.png", "fig12.svg"]
     for path in written:
         content = path.read_bytes()
         if path.suffix == ".svg":
@@ -105,10 +115,9 @@ def test_the_section_has_one_dot_a_period_and_all_of_a_motion_that_does_not_repe
     assert sections[1].get_ydata().tolist() == [120.0, 240.0, 360.0]
 
 
-def test_what_one_run_lacks_is_left_out(runs, tmp_path):
+def test_what_one_run_lacks_is_left_out(runs, figures_of, tmp_path):
     write(tmp_path / "c", 100.0, cases=("cold",), swept=())
-    written = overlay(runs[0], tmp_path / "c", tmp_path / "figures")
-    assert {path.stem for path in written} == set(NAMES) - {"fig12"}
+    assert set(figures_of(runs[0], tmp_path / "c", tmp_path)) == set(NAMES) - {"fig12"}
 
 
 def test_runs_without_a_case_in_common_are_refused(runs, tmp_path):
