@@ -22,7 +22,8 @@ sys.path.insert(0, str(ROOT / "workflow" / "scripts"))
 
 import numpy as np  # noqa: E402  (the number of threads must be set first)
 
-from gearwear.integrate.strobe import GENERAL, GROWTH, MAPS, RECORDS, STATES, strobe  # noqa: E402
+from gearwear.integrate.status import GROWTH, MAPS, RECORDS, STATES  # noqa: E402
+from gearwear.integrate.strobe import GENERAL, strobe  # noqa: E402
 from gearwear.integrate.strobe_many import strobe_many  # noqa: E402
 from gearwear.oscillator.oscillator import Oscillator  # noqa: E402
 from gearwear.oscillator.periodic import Harmonics  # noqa: E402
@@ -41,7 +42,7 @@ def oscillators(frequencies, error=0.3):
 
 def early(points, periods):
     """All points in one call, each until it recurs."""
-    strobe_many(points, START, periods, detail=STATES, early_end=True)
+    strobe_many(points, START, periods, detail=STATES, detect_cycles=True)
 
 
 def cpu_seconds(task, *arguments):

@@ -12,7 +12,7 @@ from gearwear.chain.history import last_state, states_of_case
 from gearwear.claims.study import Study
 from gearwear.claims.sweeps import Sweep
 from gearwear.codes import motion_class
-from gearwear.integrate.strobe import GROWTH, STATES
+from gearwear.integrate.status import GROWTH, STATES
 from gearwear.integrate.strobe_many import strobe_many
 from gearwear.motions.section import recurrences, shrinking_periods
 from gearwear.motions.settling import Settling
@@ -84,7 +84,7 @@ def quick_sweeps(config: dict[str, Any], several: Sequence[Pair], values: Values
             own = [swept.at(value) for value in chosen]
             oscillators += own
             starts += [rest_state(swept.source, oscillator, one.dynamics) for oscillator in own]
-    run = strobe_many(oscillators, np.array(starts), TRANSIENT + SAMPLED, detail=STATES, early_end=True)
+    run = strobe_many(oscillators, np.array(starts), TRANSIENT + SAMPLED, detail=STATES, detect_cycles=True)
     sections = run.states[:, -SAMPLED:]
     classes = _classes(sections)
     extents = np.concatenate([sections.min(axis=1), sections.max(axis=1)], axis=1)[:, [0, 2, 1, 3]]

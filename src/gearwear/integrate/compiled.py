@@ -1,17 +1,29 @@
-"""The compiler of the numerical kernels and the place of their machine code.
+"""The compiler of the numerical kernels and the cache of their machine code.
 
-numba keys a cached function by its own source file only, so an edit of a *called* function in another file
-would meet stale machine code. The cache folder is therefore named by a digest over every source file of this
-package, and by nothing else: copies of the program with equal sources share their machine code. All kernels are
-compiled in strict IEEE arithmetic: results are bit-equal from a cold and a warm cache.
+numba keys the machine code of a function by its own source file only, so that an edit of a *called* function in another
+file meets stale machine code. This cache lies in a folder named by a digest over every source file of this package, and
+by nothing else: copies of the program with equal sources share it. All kernels are compiled in strict IEEE arithmetic;
+results are bit-equal from a cold and a warm cache.
+
+The folder is chosen, and made, when the first kernel runs; importing this module changes nothing outside it.
 """
 
 import functools
 import hashlib
 import os
+import pickle
 import stat
+import sys
 import tempfile
+import uuid
+from collections.abc import Callable, Mapping
 from pathlib import Path
+
+import numba
+from numba.core.caching import NullCache
+from numba.core.compiler import CompileResult
+from numba.core.runtime import rtsys
+from numba.core.serialize import dumps
 
 
 def source_digest(folder: Path) -> str:
@@ -24,7 +36,7 @@ def source_digest(folder: Path) -> str:
     return digest.hexdigest()[:16]
 
 
-def cache_folder(environment: dict[str, str], digest: str) -> Path:
+def cache_folder(environment: Mapping[str, str], digest: str) -> Path:
     """Writable folder of the machine code: GEARWEAR_CACHE, else the user's cache, else a temporary folder.
 
     Raises
@@ -57,31 +69,68 @@ def cache_folder(environment: dict[str, str], digest: str) -> Path:
         return folder
 
 
-CACHE_FOLDER = cache_folder(dict(os.environ), source_digest(Path(__file__).parent))
-os.environ["NUMBA_CACHE_DIR"] = str(CACHE_FOLDER)
-
-import numba  # noqa: E402  (the cache folder must be set first)
-from numba.core.caching import UserProvidedCacheLocator  # noqa: E402
+_digest = source_digest(Path(__file__).parent)  # of the sources as they are imported
+_folder: Path | None = None
 
 
-class ByDigest(UserProvidedCacheLocator):
-    """Place of the machine code of a function, wherever its source file lies."""
-
-    @classmethod
-    def get_suitable_cache_subpath(cls, py_file: str) -> str:
-        """Return the name of the package, not of the folder around it."""
-        return Path(py_file).parent.name
+def use_cache(folder: str | Path) -> None:
+    """Keep the machine code below a folder instead of that of `cache_folder`; kernels already loaded stay."""
+    global _folder
+    _folder = cache_folder({"GEARWEAR_CACHE": str(folder)}, _digest)
 
 
-# numba may have been imported, and have read its environment, before this module.
-numba.config.CACHE_DIR = str(CACHE_FOLDER)
-numba.config.CACHE_LOCATOR_CLASSES = f"{__name__}.{ByDigest.__name__}"
+def _current_folder() -> Path:
+    global _folder
+    if _folder is None:
+        _folder = cache_folder(os.environ, _digest)
+    return _folder
 
-njit = functools.partial(numba.njit, cache=True, nogil=True, fastmath=False, error_model="numpy")
+
+@functools.cache
+def _file_digest(path: str) -> str:
+    return hashlib.sha256(Path(path).read_bytes()).hexdigest()
+
+
+class _MachineCode(NullCache):
+    """Cache of one function, a file for each signature and kind of processor."""
+
+    def __init__(self, function: Callable):
+        self._name = f"{function.__module__}.{function.__qualname__}"
+        self._source = _file_digest(function.__code__.co_filename)  # which need not lie in this package
+
+    def load_overload(self, sig, target_context) -> CompileResult | None:
+        try:
+            data = self._file(sig, target_context.codegen()).read_bytes()
+        except FileNotFoundError:
+            return None
+        # Only the memory manager is needed to run loaded code. numba's own cache makes everything ready that compiles
+        # code, which imports scipy.linalg and takes half a second.
+        rtsys.initialize(target_context)
+        return CompileResult._rebuild(target_context, *pickle.loads(data))
+
+    def save_overload(self, sig, data: CompileResult) -> None:
+        file = self._file(sig, data.library.codegen)
+        unfinished = file.with_suffix(f".{uuid.uuid4().hex}")  # other jobs may write the same file
+        unfinished.write_bytes(dumps(data._reduce()))
+        unfinished.replace(file)
+
+    def _file(self, sig, codegen) -> Path:
+        key = repr((self._source, sig, codegen.magic_tuple(), numba.__version__, sys.version_info[:2]))
+        return _current_folder() / f"{self._name}-{hashlib.sha256(key.encode()).hexdigest()[:16]}.nbc"
+
+
+def njit(function: Callable | None = None, **options):
+    """Compile a function in strict arithmetic at its first call, or load its machine code from the cache."""
+    if function is None:
+        return functools.partial(njit, **options)
+    kernel = numba.njit(nogil=True, fastmath=False, error_model="numpy", **options)(function)
+    kernel._cache = _MachineCode(function)
+    return kernel
+
 
 # For kernels that allocate nothing: they borrow the arrays of their caller without counting references to them. In
 # small functions the counting, in atomic instructions, would take most of the time.
-borrowing = functools.partial(njit, _nrt=False)
+njit_noalloc = functools.partial(njit, _nrt=False)
 
 # The same, and written into the caller by the compiler: for the small formulas inside the kernels.
-inlined = functools.partial(borrowing, forceinline=True)
+njit_inline = functools.partial(njit_noalloc, forceinline=True)

@@ -8,20 +8,17 @@ Mesh phase 0 begins a period; the state there is the one after the jump a tabula
 A motion that cannot be carried on is reported by a status, never by an exception, and the rest of it is NaN.
 """
 
+from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwear.integrate.affine import affine_flow, affine_table, cell_crossing, cell_extremes
-from gearwear.integrate.dormand_prince import period_flow
-from gearwear.integrate.taylor import series_flow
-from gearwear.integrate.taylor.series_table import series_table
+from gearwear.integrate.affine import affine_flow, affine_table
+from gearwear.integrate.status import FORCE, GROWTH, HIGHEST, IMPACTS, LOST, LOWEST, MAPS, RECORDS, STATES
 from gearwear.oscillator.oscillator import Oscillator
 from gearwear.oscillator.translational import TranslationalOscillator
 
-COMPLETED, BLOW_UP, TOO_MANY_STEPS = period_flow.COMPLETED, period_flow.BLOW_UP, period_flow.TOO_MANY_STEPS
-STATES, GROWTH = cell_crossing.STATES, cell_crossing.GROWTH
-MAPS, RECORDS = cell_crossing.MAPS, cell_crossing.RECORDS
 AUTOMATIC, GENERAL = "automatic", "general"
 
 
@@ -67,7 +64,7 @@ def strobe(
     tangent=(1.0, 0.0),
     detail: int = RECORDS,
     backend: str = AUTOMATIC,
-    early_end: bool = False,
+    detect_cycles: bool = False,
 ) -> Strobe:
     """Run whole forcing periods from a state at mesh phase 0.
 
@@ -81,8 +78,8 @@ def strobe(
     tangent : as the state, tangent vector whose growth is measured, any length but 0
     detail : STATES, GROWTH, MAPS or RECORDS; each holds the ones before it and takes longer, the states are the same
     backend : AUTOMATIC, or GENERAL for Dormand-Prince in any case
-    early_end : stop as soon as the state recurs to the last bit, and fill in the rest in less time: the same states,
-        and all else the same but for the round-off of GROWTH alone. Not with a torque at another frequency
+    detect_cycles : stop as soon as the state recurs to the last bit and fill in the rest: the same in less time, but
+        for the round-off of growth and tangent with GROWTH. Not with a torque at another frequency
 
     Raises
     ------
@@ -91,12 +88,11 @@ def strobe(
     """
     state, tangent = vector(state, "state", oscillator.size), vector(tangent, "tangent", oscillator.size)
     check_request(tangent, periods, first_period, tolerance, detail, backend)
-    if isinstance(oscillator, TranslationalOscillator):
-        return _series(oscillator, state, periods, first_period, tangent, (), detail)[0]
-    if backend == GENERAL or not affine_table.applies_to(oscillator):
-        return _general(oscillator, state, periods, first_period, tolerance, tangent, (), detail)[0]
-    tangent = tangent / np.hypot(*tangent)
-    return _affine(oscillator, state, periods, first_period, tangent, (), detail, early_end)[0]
+    run = _recent_integrator(oscillator, tolerance, backend)
+    states, maps, growth, records, _, direction, status = run(
+        state, tangent, int(first_period), int(periods), detail, detect_cycles
+    )
+    return collected(oscillator.period, states, maps, growth, records, direction, status, detail)
 
 
 def trace(
@@ -131,11 +127,8 @@ def visited(
         raise ValueError("phases: must be one strictly increasing list within [0, 1] (mesh phase)")
     state, tangent = vector(state, "state", oscillator.size), np.eye(oscillator.size)[0]
     check_request(tangent, periods, first_period, tolerance, STATES, backend)
-    if isinstance(oscillator, TranslationalOscillator):
-        return _series(oscillator, state, periods, first_period, tangent, tuple(phases.tolist()), STATES)[1]
-    if backend == GENERAL or not affine_table.applies_to(oscillator):
-        return _general(oscillator, state, periods, first_period, tolerance, tangent, phases, STATES)[1]
-    return _affine(oscillator, state, periods, first_period, tangent, tuple(phases.tolist()), STATES)[1]
+    run = _recent_integrator(oscillator, tolerance, backend, tuple(phases.tolist()))
+    return run(state, tangent, int(first_period), int(periods), STATES, False)[4]
 
 
 def monodromy(
@@ -160,6 +153,8 @@ def vector(values, name: str, size: int = 2, points: tuple[int, ...] = ()) -> np
     ValueError if they are anything else. Without the leading axis they are those of every point.
     """
     numbers = np.array(values, dtype=float)
+    if numbers.shape == (*points, size) and np.isfinite(numbers).all():
+        return numbers
     allowed = [(*lead, length) for lead in {(), points} for length in {2, size}]
     if numbers.shape not in allowed or not np.all(np.isfinite(numbers)):
         count = "two finite numbers" if size == 2 else f"two or {size} finite numbers"
@@ -185,63 +180,93 @@ def check_request(tangent, periods, first_period, tolerance, detail, backend) ->
         raise ValueError(f"backend: {backend!r} must be {AUTOMATIC!r} or {GENERAL!r}")
 
 
-def stored(detail: int, early_end: bool) -> int:
+def stored(detail: int, detect_cycles: bool) -> int:
     """Detail to run with: an early end carries the tangent vector on through the maps."""
-    return MAPS if early_end and detail == GROWTH else detail
+    return MAPS if detect_cycles and detail == GROWTH else detail
 
 
-def _affine(oscillator, state, periods, first_period, tangent, phases, detail, early_end=False):
-    rows, slack = affine_table.affine_table(oscillator, phases)
+def integrator(
+    oscillator: Oscillator, tolerance: float = 1e-10, backend: str = AUTOMATIC, phases: tuple[float, ...] = ()
+) -> Callable[..., tuple]:
+    """Return the function that runs one oscillator, with all that does not depend on the state made ready.
+
+    Its arguments, which it does not check, are state, tangent, first_period, periods, detail and detect_cycles, as of
+    strobe. It returns the arrays states, maps, growth, records and visits of a kernel, the tangent at the end, and the
+    status.
+
+    Parameters
+    ----------
+    tolerance, backend : as of strobe
+    phases : of mesh periods at which the states of `visits` are noted, as of visited
+    """
+    if isinstance(oscillator, TranslationalOscillator):
+        return _series(oscillator, phases)
+    table = None if backend == GENERAL else affine_table.affine_table(oscillator, phases)
+    return _general(oscillator, tolerance, phases) if table is None else _affine(table, phases)
+
+
+_recent_integrator = lru_cache(maxsize=8)(integrator)
+
+
+def _affine(table: affine_table.AffineTable, phases: tuple[float, ...]) -> Callable[..., tuple]:
+    rows, slack = table
     stops = np.searchsorted(rows[0, :, affine_table.COMMON, affine_table.START], phases).astype(np.int64)
-    counts = int(first_period), int(periods)
-    run = affine_flow.run(
-        rows, slack, state, tangent, *counts, stored(detail, early_end), stops, early_end and len(rows) == 1
-    )
-    states, maps, growth, records, visits, status = run
-    return collected(oscillator.period, states, maps, growth, records, tangent, status, detail), visits
+
+    def run(state, tangent, first_period, periods, detail, detect_cycles):
+        direction = tangent / np.hypot(*tangent)
+        detects, with_detail = detect_cycles and len(rows) == 1, stored(detail, detect_cycles)
+        *arrays, status = affine_flow.run(
+            rows, slack, state, direction, first_period, periods, with_detail, stops, detects
+        )
+        return *arrays, direction, status
+
+    return run
 
 
-def _general(oscillator, state, periods, first_period, tolerance, tangent, phases, detail):
-    states, maps, growth, records, visits, status = period_flow.run(
-        *oscillator.coefficients,
-        state,
-        tangent,
-        int(first_period),
-        int(periods),
-        float(tolerance),
-        np.array(phases, dtype=float),
-    )
-    return collected(oscillator.period, states, maps, growth, records, tangent, int(status), detail), visits
+def _general(oscillator: Oscillator, tolerance: float, phases: tuple[float, ...]) -> Callable[..., tuple]:
+    from gearwear.integrate.dormand_prince import period_flow  # most runs need one integrator only
+
+    stops = np.array(phases, dtype=float)
+
+    def run(state, tangent, first_period, periods, detail, detect_cycles):
+        direction = tangent.copy()
+        *arrays, status = period_flow.run(
+            *oscillator.coefficients, state, direction, first_period, periods, float(tolerance), stops
+        )
+        return *arrays, direction, int(status)
+
+    return run
 
 
-def _series(oscillator, state, periods, first_period, tangent, phases, detail):
+def _series(oscillator: TranslationalOscillator, phases: tuple[float, ...]) -> Callable[..., tuple]:
+    from gearwear.integrate.taylor import series_flow
+    from gearwear.integrate.taylor.series_table import series_table
+
     starts, *table = series_table(oscillator, phases)
-    tangent = tangent / np.linalg.norm(tangent)
-    states, maps, growth, records, visits, status = series_flow.run(
-        tuple(oscillator.linear_part),
-        tuple(table),
-        oscillator.torque.frequency_ratio,
-        state,
-        tangent,
-        int(first_period),
-        int(periods),
-        detail,
-        np.searchsorted(starts, phases).astype(np.int64),
-    )
-    return collected(oscillator.period, states, maps, growth, records, tangent, status, detail), visits
+    stops = np.searchsorted(starts, phases).astype(np.int64)
+    linear, ratio = tuple(oscillator.linear_part), oscillator.torque.frequency_ratio
+
+    def run(state, tangent, first_period, periods, detail, detect_cycles):
+        direction = tangent / np.linalg.norm(tangent)
+        *arrays, status = series_flow.run(
+            linear, tuple(table), ratio, state, direction, first_period, periods, detail, stops
+        )
+        return *arrays, direction, status
+
+    return run
 
 
 def collected(period, states, maps, growth, records, tangent, status, detail) -> Strobe:
     """The arrays of a kernel as a Strobe with no more than the detail asks for; a leading axis of points may be there.
 
-    records : (..., periods, columns), the columns those of cell_extremes; period : () or (points, 1)
+    records : (..., periods, columns), the columns those of status; period : () or (points, 1)
     """
     if detail < RECORDS:
         lost = impacts = lowest = highest = force = None
     else:
-        lost = np.clip(records[..., cell_extremes.LOST] / period, 0.0, 1.0)
-        impacts, force = records[..., cell_extremes.IMPACTS], records[..., cell_extremes.FORCE]
-        lowest, highest = records[..., cell_extremes.LOWEST], records[..., cell_extremes.HIGHEST]
+        lost = np.clip(records[..., LOST] / period, 0.0, 1.0)
+        impacts, force = records[..., IMPACTS], records[..., FORCE]
+        lowest, highest = records[..., LOWEST], records[..., HIGHEST]
     return Strobe(
         states=states,
         growth=growth if detail >= GROWTH else None,

@@ -1,12 +1,12 @@
-"""Motion of many oscillators over whole forcing periods: what motion.strobe does, point by point, in one call."""
+"""Motion of many oscillators over whole forcing periods: what strobe.strobe does, point by point, in one call."""
 
 import numpy as np
 
 from gearwear.integrate.affine.affine_batch import count_all, run_many
+from gearwear.integrate.status import RECORDS
 from gearwear.integrate.strobe import (
     AUTOMATIC,
     GENERAL,
-    RECORDS,
     Strobe,
     check_request,
     collected,
@@ -30,19 +30,19 @@ def strobe_many(
     tangent=(1.0, 0.0),
     detail: int = RECORDS,
     backend: str = AUTOMATIC,
-    early_end: bool = False,
+    detect_cycles: bool = False,
 ) -> Strobe:
     """Run many oscillators, each from its own state at mesh phase 0.
 
-    Every point is that of motion.strobe to the last bit, whatever the other points are.
+    Every point is that of strobe.strobe to the last bit, whatever the other points are.
 
     Parameters
     ----------
     oscillators : one a point, all of one kind; for many states of one oscillator repeat it
     states : (points, size) or (size,) displacement and velocity, then the rest of the state; or only these two
     tangent : as the states
-    periods, first_period, tolerance, detail, backend : as in motion.strobe
-    early_end : as in motion.strobe
+    periods, first_period, tolerance, detail, backend : as in strobe.strobe
+    detect_cycles : as in strobe.strobe
 
     Returns
     -------
@@ -52,7 +52,7 @@ def strobe_many(
     Raises
     ------
     ValueError
-        As motion.strobe.
+        As strobe.strobe.
     """
     points = len(oscillators)
     if points == 0:
@@ -76,10 +76,10 @@ def strobe_many(
     if together.size:
         chosen = [oscillators[p] for p in together]
         unit = directions[together] / np.hypot(*directions[together].T)[:, None]
-        parts.append((together, _run(chosen, stacked, counts, starts[together], unit, periods, detail, early_end)))
+        parts.append((together, _run(chosen, stacked, counts, starts[together], unit, periods, detail, detect_cycles)))
     for p in np.flatnonzero(single):
         run = strobe(
-            oscillators[p], starts[p], periods, first_period, tolerance, directions[p], detail, backend, early_end
+            oscillators[p], starts[p], periods, first_period, tolerance, directions[p], detail, backend, detect_cycles
         )
         parts.append((np.array([p]), Strobe._make(value if value is None else np.array([value]) for value in run)))
     return _merged(parts, points)
@@ -99,12 +99,12 @@ def _merged(parts, points: int) -> Strobe:
     return Strobe._make(fields)
 
 
-def _run(oscillators, stacked, counts, starts, directions, periods, detail, early_end):
+def _run(oscillators, stacked, counts, starts, directions, periods, detail, detect_cycles):
     order = np.argsort(counts, kind="stable")
     shared = [False] + [oscillators[a] is oscillators[b] for a, b in zip(order[1:], order[:-1], strict=True)]
-    run_with = stored(detail, early_end)
+    run_with = stored(detail, detect_cycles)
     states, maps, growth, records, status = run_many(
-        *stacked, np.array(shared), order, counts, starts, directions, int(periods), run_with, early_end
+        *stacked, np.array(shared), order, counts, starts, directions, int(periods), run_with, detect_cycles
     )
     period = 2 * np.pi / stacked[0][:, :1]
     return collected(period, states, maps, growth, records, directions, status, detail)

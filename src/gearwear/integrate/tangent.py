@@ -2,10 +2,10 @@
 
 import math
 
-from gearwear.integrate.compiled import inlined
+from gearwear.integrate.compiled import njit_inline
 
 
-@inlined
+@njit_inline
 def growth_of(direction, p, q):
     """Logarithm of the length of (p, q), what has become of a tangent vector of length 1; the vector is made it."""
     square = p * p + q * q

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -13,11 +13,14 @@ from gearwear.orbits.newton import Orbit, minimal_period, periodic_orbit
 from gearwear.orbits.return_map import COARSEST, return_maps
 from gearwear.oscillator.oscillator import Oscillator
 
+if TYPE_CHECKING:
+    from gearwear.motions.settling import Settling
+
 _NEAR = 1e-3  # over b0: a section that comes closer still to a stable orbit is on its way there
 
 
-class Evidence(NamedTuple):
-    """Class of a motion and what speaks for it.
+class Classification(NamedTuple):
+    """Class of a motion and the evidence for it.
 
     motion_class : code of motion_class.FLAG_VALUES
     reason : code of motion_class.REASON_VALUES; why a point has not converged
@@ -44,17 +47,15 @@ class Evidence(NamedTuple):
     exponent_error: float
 
 
-def weigh(
+def classify(
     oscillator: Oscillator,
     states: np.ndarray,
     growth: np.ndarray,
     first_period: int,
-    largest_period: int,
-    recurrence_tolerance: float,
-    chaos_threshold: float,
+    settling: Settling,
     tolerance: float,
     backend: str = AUTOMATIC,
-) -> Evidence:
+) -> Classification:
     """Classify a motion by its section.
 
     Period n: Newton's method leads from the section to an orbit of that period whose multipliers are inside the unit
@@ -71,15 +72,16 @@ def weigh(
     states : (samples + 1, size) at mesh phase 0
     growth : logarithms of the growth of a tangent vector over the last forcing periods
     first_period : index of the forcing period at which the section begins
-    largest_period, recurrence_tolerance, chaos_threshold : as in settling.Settling
-    tolerance, backend : of the integrator, as in motion.strobe
+    settling : of which largest_period, recurrence_tolerance and chaos_threshold are used
+    tolerance, backend : of the integrator, as in strobe.strobe
     """
+    largest_period, closeness = settling.largest_period, settling.recurrence_tolerance
     exponent, error = mean_and_error(growth / oscillator.period)
-    found = recurrence(states, largest_period, recurrence_tolerance)
+    found = recurrence(states, largest_period, closeness)
     candidates = [found.period] if found.period else shrinking_periods(states, largest_period, _NEAR)
     near, distance, stable = _orbit_near(oscillator, states, first_period, candidates, tolerance, backend)
     orbit = near if stable else None
-    positive = exponent > max(chaos_threshold, 3 * error)
+    positive = exponent > max(settling.chaos_threshold, 3 * error)
     code, conflict = motion_class.NOT_CONVERGED, motion_class.AGREED
     if orbit is not None:
         code = orbit.period
@@ -88,7 +90,7 @@ def weigh(
     elif found.period:
         conflict = motion_class.NO_STABLE_ORBIT
         code = found.period if near is None else motion_class.NOT_CONVERGED
-    elif positive and not recurrence(states[-2 * largest_period - 1 :], largest_period, recurrence_tolerance).period:
+    elif positive and not recurrence(states[-2 * largest_period - 1 :], largest_period, closeness).period:
         code = motion_class.CHAOTIC
     elif oscillator.has_second_frequency and exponent <= 3 * error:
         turns = oscillator.torque.frequency_ratio * (first_period + np.arange(len(states)))
@@ -101,7 +103,7 @@ def weigh(
     if code == motion_class.NOT_CONVERGED:
         slow = exponent <= 0.0 or found.period
         reason = motion_class.SLOW_CONVERGENCE if slow else motion_class.EXPONENT_UNCLEAR
-    return Evidence(
+    return Classification(
         motion_class=code,
         reason=reason,
         conflict=conflict,

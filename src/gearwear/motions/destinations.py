@@ -7,7 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwear.codes.motion_class import CHAOTIC, NOT_CONVERGED, QUASI_PERIODIC
-from gearwear.integrate.strobe import COMPLETED, GROWTH, STATES, vector
+from gearwear.integrate.status import COMPLETED, GROWTH, STATES
+from gearwear.integrate.strobe import vector
 from gearwear.integrate.strobe_many import strobe_many
 from gearwear.motions.section import BATCHES, is_closed_curve, means_and_errors, recurrences
 from gearwear.motions.settling import Settling, check_settling
@@ -60,7 +61,7 @@ def fates(
 def share_escaping(oscillator: Oscillator, states: np.ndarray, settling: Settling, tolerance: float = 1e-10) -> float:
     """Return the share of motions that have become periodic by the longest transient: 0 unless chaos is a passage."""
     periods = max(settling.longest_transient, settling.sampled_periods)
-    run = strobe_many([oscillator] * len(states), states, periods, 0, tolerance, detail=STATES, early_end=True)
+    run = strobe_many([oscillator] * len(states), states, periods, 0, tolerance, detail=STATES, detect_cycles=True)
     section = run.states[:, -settling.sampled_periods - 1 :]
     return float((recurrences(section, settling.largest_period, settling.recurrence_tolerance)[0] > 0).mean())
 
@@ -79,7 +80,7 @@ def _fates(oscillator, states, settling, tolerance) -> Fates:
             reached,
             tolerance,
             detail=STATES,
-            early_end=True,
+            detect_cycles=True,
         )
         section = run.states[:, -samples - 1 :]
         period = recurrences(section, longest, settling.recurrence_tolerance)[0]

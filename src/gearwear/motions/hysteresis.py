@@ -6,7 +6,7 @@ import numpy as np
 
 from gearwear.codes.motion_class import LARGEST_PERIOD, NOT_CONVERGED
 
-SAME_ORBIT = 2e-3  # of the half backlash; a section may still be 1e-3 away from its orbit: see evidence.weigh
+SAME_ORBIT = 2e-3  # of the half backlash; a section may still be 1e-3 away from its orbit: see classify.classify
 
 
 def differing(classes: np.ndarray, sections: np.ndarray) -> np.ndarray:

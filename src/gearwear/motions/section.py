@@ -1,9 +1,10 @@
 """What a Poincare section tells: its period, whether it is a closed curve, and averages with their errors."""
 
-from functools import reduce
 from typing import NamedTuple
 
 import numpy as np
+
+from gearwear.integrate.compiled import njit
 
 STEADY_CHANGE = 1e-3
 LONGEST_POLYGON_RATIO = 1.1
@@ -42,17 +43,7 @@ def recurrences(states: np.ndarray, largest_period: int, tolerance: float) -> tu
 
     A section with NaN has period 0 and distance NaN.
     """
-    first, second = _changes(states, largest_period)
-    period, distance = np.zeros(len(states), dtype=int), np.min(list(second.values()), axis=0)
-    for n in range(1, largest_period + 1):
-        recurs = (period == 0) & (second[n] <= tolerance)
-        if not recurs.any():
-            continue
-        for m in range(1, n):
-            if n % m == 0:
-                recurs &= np.abs(second[m] - first[m]) <= STEADY_CHANGE * first[m]
-        period[recurs], distance[recurs] = n, second[n][recurs]
-    return period, distance
+    return _recurrences(np.ascontiguousarray(states), largest_period, float(tolerance))
 
 
 def shrinking_periods(states: np.ndarray, largest_period: int, near: float) -> list[int]:
@@ -60,19 +51,60 @@ def shrinking_periods(states: np.ndarray, largest_period: int, near: float) -> l
 
     Parameters are those of recurrence.
     """
-    first, second = _changes(states, largest_period)
-    return [n for n in first if second[n] < first[n] and second[n] <= near]
+    first, second = _all_changes(np.ascontiguousarray(states), largest_period)
+    return [n for n in range(1, largest_period + 1) if second[n] < first[n] and second[n] <= near]
 
 
-def _changes(states: np.ndarray, largest_period: int) -> tuple[dict, dict]:
-    """Largest change over n periods, for every n, in the first and second half of sections (..., samples, size)."""
-    first, second = {}, {}
-    columns = np.moveaxis(states, -1, 0).copy()  # a maximum over the short axis would take ten times as long
+@njit
+def _largest_change(states, n, begin, end):
+    """Largest change over n periods from the states begin to end - 1, NaN if one of them is NaN."""
+    largest = 0.0
+    for i in range(begin, end):
+        for k in range(states.shape[1]):
+            change = abs(states[i + n, k] - states[i, k])
+            if not change <= largest:
+                largest = change
+                if change != change:
+                    return change
+    return largest
+
+
+@njit
+def _changes(states, n):
+    """Largest change over n periods in the first and in the second half of a section."""
+    count = states.shape[0] - n
+    return _largest_change(states, n, 0, count // 2), _largest_change(states, n, count // 2, count)
+
+
+@njit
+def _all_changes(states, largest_period):
+    """The same for every n, two arrays; the place n = 0 is not used."""
+    first, second = np.zeros(largest_period + 1), np.zeros(largest_period + 1)
     for n in range(1, largest_period + 1):
-        steps = reduce(np.maximum, (np.abs(column[..., n:] - column[..., :-n]) for column in columns))
-        half = steps.shape[-1] // 2
-        first[n], second[n] = steps[..., :half].max(axis=-1), steps[..., half:].max(axis=-1)
+        first[n], second[n] = _changes(states, n)
     return first, second
+
+
+@njit
+def _recurrences(states, largest_period, tolerance):
+    """Arguments and results as of recurrences."""
+    periods, distances = np.zeros(states.shape[0], np.int64), np.empty(states.shape[0])
+    first, second = np.zeros(largest_period + 1), np.zeros(largest_period + 1)
+    for section in range(states.shape[0]):
+        least = np.inf
+        for n in range(1, largest_period + 1):
+            first[n], second[n] = _changes(states[section], n)
+            if least == least and not second[n] >= least:
+                least = second[n]
+            recurs = second[n] <= tolerance
+            for m in range(1, n):
+                if recurs and n % m == 0:
+                    recurs = abs(second[m] - first[m]) <= STEADY_CHANGE * first[m]
+            if recurs:
+                periods[section], least = n, second[n]
+                break
+        distances[section] = least
+    return periods, distances
 
 
 def is_closed_curve(states: np.ndarray, turns: np.ndarray) -> bool:
@@ -102,5 +134,8 @@ def mean_and_error(values: np.ndarray) -> tuple[float, float]:
 
 def means_and_errors(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Means and standard errors, (series,) each, of many series, (series, samples), as by `mean_and_error`."""
-    means = np.array([batch.mean(axis=1) for batch in np.array_split(values, BATCHES, axis=1)])
+    count, longer = divmod(values.shape[1], BATCHES)
+    sizes = [count + 1] * longer + [count] * (BATCHES - longer)
+    ends = np.cumsum(sizes)
+    means = np.array([values[:, end - size : end].sum(axis=1) / size for end, size in zip(ends, sizes, strict=True)])
     return values.mean(axis=1), means.std(axis=0, ddof=1) / np.sqrt(BATCHES)

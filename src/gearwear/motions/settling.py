@@ -6,9 +6,10 @@ import numpy as np
 
 from gearwear.codes import motion_class
 from gearwear.errors import Infeasible
-from gearwear.integrate.strobe import AUTOMATIC, BLOW_UP, COMPLETED, GROWTH, MAPS, RECORDS, TOO_MANY_STEPS, vector
+from gearwear.integrate.status import BLOW_UP, COMPLETED, GROWTH, MAPS, RECORDS, TOO_MANY_STEPS
+from gearwear.integrate.strobe import AUTOMATIC, Strobe, vector
 from gearwear.integrate.strobe_many import strobe_many
-from gearwear.motions.classify import weigh
+from gearwear.motions.classify import Classification, classify
 from gearwear.motions.section import BATCHES
 from gearwear.oscillator.oscillator import Oscillator
 
@@ -19,7 +20,7 @@ class Settling(NamedTuple):
     """How long to wait and what to accept; the fields are those of the section ``settling`` of the configuration.
 
     Periods are forcing periods; ``recurrence_tolerance`` is a length over b0, ``chaos_threshold`` an exponent per
-    unit of dimensionless time; ``early_end`` as in motion.strobe.
+    unit of dimensionless time; ``early_end`` is `detect_cycles` of strobe.strobe.
     """
 
     transient_periods: int
@@ -34,7 +35,7 @@ class Settling(NamedTuple):
 class Attractor(NamedTuple):
     """One settled motion; NaN and 0 stand for what the detail asked for leaves out, or what was not reached.
 
-    motion_class, ..., exponent_error : as in evidence.Evidence
+    motion_class, ..., exponent_error : as in classify.Classification
     multiplier_real, multiplier_imag : Floquet multiplier of largest modulus over the orbit, NaN without an orbit
     determinant_error : largest relative departure of a sampled period's determinant from Oscillator.contraction; NaN
         where that is too small for it
@@ -91,9 +92,9 @@ def settle_many(
     Parameters
     ----------
     oscillators : one a point
-    states : (points, size) or (size,) at mesh phase 0, as in motion_many.strobe_many
+    states : (points, size) or (size,) at mesh phase 0, as in strobe_many.strobe_many
     tolerance : of the integrator, where the affine map does not apply
-    detail : GROWTH, MAPS or RECORDS, of motion.strobe. The determinant needs MAPS, extremes, contact loss and impacts
+    detail : GROWTH, MAPS or RECORDS, of strobe.strobe. The determinant needs MAPS, extremes, contact loss and impacts
         RECORDS, in several times the time of GROWTH.
 
     Raises
@@ -118,10 +119,10 @@ def settle_many(
             transient - reached,
             reached,
             tolerance,
-            tangents[waiting],
-            GROWTH,
-            backend,
-            settling.early_end,
+            tangent=tangents[waiting],
+            detail=GROWTH,
+            backend=backend,
+            detect_cycles=settling.early_end,
         )
         attractors |= _lost(waiting, run.status, transient, settling.sampled_periods, size)
         alive = np.flatnonzero(run.status == COMPLETED)
@@ -135,10 +136,10 @@ def settle_many(
             settling.sampled_periods,
             transient,
             tolerance,
-            directions,
-            detail,
-            backend,
-            settling.early_end,
+            tangent=directions,
+            detail=detail,
+            backend=backend,
+            detect_cycles=settling.early_end or detail >= MAPS,  # which changes no bit then
         )
         attractors |= _lost(waiting, sample.status, transient, settling.sampled_periods, size)
         undecided = []
@@ -146,22 +147,12 @@ def settle_many(
             p, growth = waiting[place], sample.growth[place]
             if reached:
                 growth = np.concatenate([run.growth[alive[place]], growth])
-            evidence = weigh(
-                own[place],
-                sample.states[place],
-                growth,
-                transient,
-                settling.largest_period,
-                settling.recurrence_tolerance,
-                settling.chaos_threshold,
-                tolerance,
-                backend,
-            )
-            if evidence.motion_class == motion_class.NOT_CONVERGED and transient < settling.longest_transient:
+            found = classify(own[place], sample.states[place], growth, transient, settling, tolerance, backend)
+            if found.motion_class == motion_class.NOT_CONVERGED and transient < settling.longest_transient:
                 undecided.append(p)
                 states[p], tangents[p] = sample.states[place, -1], sample.tangent[place]
             else:
-                attractors[p] = _attractor(own[place], sample, place, evidence, transient, detail)
+                attractors[p] = _attractor(own[place], _point(sample, int(place)), found, transient)
         reached = transient + settling.sampled_periods
         transient = max(min(2 * transient, settling.longest_transient), reached)
         waiting = np.array(undecided, dtype=int)
@@ -191,27 +182,25 @@ def check_settling(settling: Settling) -> None:
             raise Infeasible(f"{name}: {getattr(settling, name)} (dimensionless) must be above 0")
 
 
-def _attractor(oscillator, sample, place, evidence, transient, detail) -> Attractor:
+def _point(many: Strobe, place: int) -> Strobe:
+    """Return the run of one of many oscillators."""
+    return Strobe._make(None if values is None else np.asarray(values)[place] for values in many)
+
+
+def _attractor(oscillator: Oscillator, sample: Strobe, found: Classification, transient: int) -> Attractor:
     determinant_error = lost = impacts = lowest = highest = force = np.nan
-    if detail >= MAPS:
-        determinant_error = _determinant_error(oscillator, sample.tangent_maps[place])
-    if detail >= RECORDS:
-        lost, impacts = float(sample.lost[place].mean()), float(sample.impacts[place].mean())
-        lowest, highest = float(sample.displacement_min[place].min()), float(sample.displacement_max[place].max())
-        force = float(sample.force_max[place].max())
+    if sample.tangent_maps is not None:
+        determinant_error = _determinant_error(oscillator, sample.tangent_maps)
+    if sample.force_max is not None:
+        lost, impacts = float(sample.lost.mean()), float(sample.impacts.mean())
+        lowest, highest = float(sample.displacement_min.min()), float(sample.displacement_max.max())
+        force = float(sample.force_max.max())
+    evidence = found._asdict()
+    multiplier = evidence.pop("multiplier")
     return Attractor(
-        motion_class=evidence.motion_class,
-        reason=evidence.reason,
-        conflict=evidence.conflict,
-        period=evidence.period,
-        recurrence_period=evidence.recurrence_period,
-        recurrence_distance=evidence.recurrence_distance,
-        stable_orbit_period=evidence.stable_orbit_period,
-        stable_orbit_distance=evidence.stable_orbit_distance,
-        exponent=evidence.exponent,
-        exponent_error=evidence.exponent_error,
-        multiplier_real=evidence.multiplier.real,
-        multiplier_imag=evidence.multiplier.imag,
+        **evidence,
+        multiplier_real=multiplier.real,
+        multiplier_imag=multiplier.imag,
         determinant_error=determinant_error,
         transient_periods=transient,
         contact_loss_share=lost,
@@ -219,9 +208,9 @@ def _attractor(oscillator, sample, place, evidence, transient, detail) -> Attrac
         displacement_min=lowest,
         displacement_max=highest,
         force_max=force,
-        displacement=sample.states[place, 1:, 0],
-        velocity=sample.states[place, 1:, 1],
-        end=sample.states[place, -1],
+        displacement=sample.states[1:, 0],
+        velocity=sample.states[1:, 1],
+        end=sample.states[-1],
     )
 
 

@@ -8,7 +8,8 @@ import numpy as np
 import xarray as xr
 
 from gearwear.codes.onset_codes import ORDERS
-from gearwear.integrate.strobe import AUTOMATIC, RECORDS
+from gearwear.integrate.status import RECORDS
+from gearwear.integrate.strobe import AUTOMATIC
 from gearwear.motions.motion_variables import columns, end_of
 from gearwear.motions.settling import Attractor, Settling, settle, settle_many
 from gearwear.motions.start import rest_state

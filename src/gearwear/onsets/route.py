@@ -8,7 +8,8 @@ import numpy as np
 import xarray as xr
 
 from gearwear.codes import onset_codes
-from gearwear.integrate.strobe import AUTOMATIC, GENERAL, GROWTH
+from gearwear.integrate.status import GROWTH
+from gearwear.integrate.strobe import AUTOMATIC, GENERAL
 from gearwear.motions.settling import Settling
 from gearwear.motions.sweep import DOWN, RESTART, settle_by_continuation, settle_from_rest
 from gearwear.onsets.chaos import Classify, onset_of_chaos

@@ -24,6 +24,7 @@ _SLOW = 0.1  # ratio of two corrections above which the derivative by the parame
 _DIFFERENCE, _LEAST_DIFFERENCE = 1e-5, 1e-9  # of the range
 _SHARE_OF_STEP = 0.1
 _LARGEST_CHANGE = 1e-3  # of the state by a difference: unstable orbits of long period are very sensitive
+_UNIT = np.eye(2)
 ALONG_PARAMETER = np.array([0.0, 0.0, 1.0])
 
 
@@ -88,7 +89,7 @@ class Curve:
 
     def tangent(self, point: Point, slope: np.ndarray, forward: np.ndarray) -> np.ndarray:
         """Return the unit tangent (3,) of the branch on the side of the direction `forward`."""
-        tangent = np.linalg.svd(np.column_stack([point.orbit.matrix - np.eye(2), slope]))[2][2]
+        tangent = np.linalg.svd(np.column_stack([point.orbit.matrix - _UNIT, slope]))[2][2]
         return -tangent if tangent @ forward < 0 else tangent
 
     def correct(
@@ -117,8 +118,9 @@ class Curve:
                 slope, trouble = self.slope(place, reach)
                 if slope is None:
                     return Trial(None, trouble, steps)
-            matrix = np.vstack([np.column_stack([passage.matrix - np.eye(2), slope]), normal])
-            residual = np.append(passage.section[-1] - place[:2], normal @ (place - guess))
+            matrix, residual = np.empty((3, 3)), np.empty(3)
+            matrix[:2, :2], matrix[:2, 2], matrix[2] = passage.matrix - _UNIT, slope, normal
+            residual[:2], residual[2] = passage.section[-1] - place[:2], normal @ (place - guess)
             try:
                 correction = -np.linalg.solve(matrix, residual)
             except np.linalg.LinAlgError:

@@ -8,11 +8,12 @@ everywhere, near a grazing orbit with order 3/2 instead of 2, and test functions
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from gearwear.integrate.strobe import AUTOMATIC, MAPS, strobe
+from gearwear.integrate.status import MAPS
+from gearwear.integrate.strobe import AUTOMATIC, check_request, integrator, vector
 from gearwear.oscillator.oscillator import Oscillator
 
 COARSEST = 1e-10  # tolerance of the integrator; a coarser map is too rough for derivatives and Newton steps
@@ -42,7 +43,7 @@ def return_maps(
     Parameters
     ----------
     oscillator_at : oscillator at a value of the parameter, whichever that is.
-    tolerance, backend : of the integrator, as in motion.strobe.
+    tolerance, backend : of the integrator, as in strobe.strobe.
 
     Raises
     ------
@@ -50,6 +51,8 @@ def return_maps(
         By the function returned: for a value the oscillator refuses, for a period that is not a whole number of at
         least 1, and where the torque fluctuates with a second frequency that does not repeat after the period.
     """
+
+    latest: list[Any] = [None, None]  # maps of several periods are asked for of one oscillator
 
     def return_map(value: float, period: int) -> ReturnMap:
         if int(period) != period or period < 1:
@@ -61,12 +64,18 @@ def return_maps(
                 f"frequency is {oscillator.torque.frequency_ratio} times the mesh frequency; no orbit repeats after it"
             )
 
+        check_request((1.0, 0.0), period, 0, tolerance, MAPS, backend)
+        if oscillator is not latest[0]:
+            latest[:] = oscillator, integrator(oscillator, tolerance, backend)
+        integrate, tangent = latest[1], np.eye(oscillator.size)[0]
+
         def run(state: np.ndarray) -> Passage:
-            motion = strobe(oscillator, state, period, 0, tolerance, detail=MAPS, backend=backend)
+            start = vector(state, "state", oscillator.size)
+            section, maps, *_ = integrate(start, tangent, 0, int(period), MAPS, False)
             matrix = np.eye(oscillator.size)
-            for tangent_map in motion.tangent_maps:
+            for tangent_map in maps:
                 matrix = tangent_map @ matrix
-            return Passage(motion.states, matrix)
+            return Passage(section, matrix)
 
         return run
 

@@ -62,7 +62,7 @@ class ExternalTorque:
 
     def scaled(self, factor: float) -> "ExternalTorque":
         """All amplitudes multiplied by a factor."""
-        return replace(self, amplitudes=tuple(factor * a for a in self.amplitudes))
+        return ExternalTorque(self.frequency_ratio, tuple(factor * a for a in self.amplitudes), self.phases)
 
 
 class Coefficients(NamedTuple):
@@ -208,13 +208,17 @@ class Oscillator:
         harmonics = np.zeros((max(len(wave.amplitudes) for wave in waves), 8))
         for column, wave in enumerate(waves):
             count = len(wave.amplitudes)
+            if not count:
+                continue
             order = np.arange(1, count + 1)
             scale = (order * self.frequency) ** 2 if wave is error_waves else 1.0
             harmonics[:count, 2 * column] = scale * np.multiply(wave.amplitudes, np.cos(wave.phases))
             harmonics[:count, 2 * column + 1] = -scale * np.multiply(wave.amplitudes, np.sin(wave.phases))
         ratio = self.torque.frequency_ratio
         constants = (self.frequency, 2 * self.damping_ratio, self.mean_force, self.clearance.mean, ratio)
-        return Coefficients(constants, harmonics, np.column_stack([breaks[:-1], breaks[1:], level, slope, kicks]))
+        table = np.empty((cells, 4 + self.size))
+        table[:, 0], table[:, 1], table[:, 2], table[:, 3], table[:, 4:] = breaks[:-1], breaks[1:], level, slope, kicks
+        return Coefficients(constants, harmonics, table)
 
     def _kicks(self, table: PeriodicTable) -> np.ndarray:
         """Jumps of (X, X') at the end of every cell: y = X + e is continuous in y'' + 2 zeta (y' - e') + k f = F."""

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
+from math import isfinite
 
 import numpy as np
 
@@ -10,9 +11,9 @@ from gearwear.errors import Infeasible
 
 def finite_floats(values, quantity: str) -> tuple[float, ...]:
     """The values as a tuple of floats; ValueError if one of them is not finite."""
-    numbers = tuple(float(value) for value in values)
+    numbers = tuple(map(float, values))
     for number in numbers:
-        if not np.isfinite(number):
+        if not isfinite(number):
             raise Infeasible(f"{quantity}: {number} is not finite; every value must be a finite number")
     return numbers
 
@@ -84,7 +85,7 @@ class Harmonics:
 
     def scaled(self, factor: float) -> "Harmonics":
         """All values multiplied by a factor."""
-        return replace(self, mean=factor * self.mean, amplitudes=tuple(factor * a for a in self.amplitudes))
+        return Harmonics(factor * self.mean, tuple(factor * a for a in self.amplitudes), self.phases)
 
 
 @dataclass(frozen=True)

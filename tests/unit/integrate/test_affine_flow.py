@@ -9,7 +9,8 @@ import pytest
 from scipy.linalg import expm
 
 from gearwear.integrate.affine import affine_table
-from gearwear.integrate.strobe import GENERAL, GROWTH, MAPS, RECORDS, STATES, monodromy, strobe, trace
+from gearwear.integrate.status import GROWTH, MAPS, RECORDS, STATES
+from gearwear.integrate.strobe import GENERAL, monodromy, strobe, trace
 from gearwear.oscillator.oscillator import ExternalTorque, Oscillator
 from gearwear.oscillator.periodic import Harmonics, PeriodicTable
 
@@ -160,14 +161,14 @@ def test_a_torque_that_repeats_after_some_mesh_periods_is_served(ratio):
     """Harmonics of a shaft, over two of its turns, from any mesh period of it."""
     torque = ExternalTorque(ratio, (0.03, 0.02), (0.4, 1.3))
     oscillator = dataclasses.replace(CHAOTIC, frequency=0.9, torque=torque)
-    assert affine_table.applies_to(oscillator) and oscillator.has_second_frequency
+    assert affine_table.affine_table(oscillator) is not None and oscillator.has_second_frequency
     motion = strobe(oscillator, (0.3, 0.1), 38, first_period=3)
     other = strobe(oscillator, (0.3, 0.1), 38, first_period=3, tolerance=1e-13, backend=GENERAL)
     for name in ("states", "lost", "displacement_max", "force_max"):
         np.testing.assert_allclose(getattr(motion, name), getattr(other, name), atol=1e-7, err_msg=name)
     rest = strobe(oscillator, motion.states[20], 18, first_period=23)
     np.testing.assert_array_equal(rest.states, motion.states[20:])
-    early = strobe(oscillator, (0.3, 0.1), 38, first_period=3, early_end=True)
+    early = strobe(oscillator, (0.3, 0.1), 38, first_period=3, detect_cycles=True)
     np.testing.assert_array_equal(early.states, motion.states)
     x, v = trace(oscillator, (0.3, 0.1), (0.4, 1.0), 5, first_period=3)
     np.testing.assert_allclose(np.column_stack([x[:, 1], v[:, 1]]), motion.states[1:6], atol=1e-12)
@@ -176,7 +177,7 @@ def test_a_torque_that_repeats_after_some_mesh_periods_is_served(ratio):
 def test_torque_that_does_not_repeat_and_endless_periods_are_left_to_dormand_prince():
     torque = dataclasses.replace(CHAOTIC, torque=ExternalTorque(0.618, (0.05,), (0.4,)))
     for oscillator in (torque, dataclasses.replace(CHAOTIC, frequency=1e-4)):
-        assert not affine_table.applies_to(oscillator)
+        assert affine_table.affine_table(oscillator) is None
     general = strobe(torque, (0.0, 0.0), 2, backend=GENERAL)
     np.testing.assert_array_equal(strobe(torque, (0.0, 0.0), 2).states, general.states)
 

@@ -29,6 +29,33 @@ print(tangent.__file__)
 """
 
 
+UNTOUCHED = """
+import os
+from pathlib import Path
+before = dict(os.environ)
+import numba
+settings = {name: getattr(numba.config, name) for name in dir(numba.config) if name.isupper()}
+import gearwear.motions.settling, gearwear.orbits.branches
+assert dict(os.environ) == before
+assert {name: getattr(numba.config, name) for name in dir(numba.config) if name.isupper()} == settings
+assert not list(Path.home().rglob("*"))
+"""
+
+
+def test_an_import_changes_nothing_in_its_host(tmp_path):
+    environment = {
+        name: value for name, value in os.environ.items() if name not in ("GEARWEAR_CACHE", "XDG_CACHE_HOME")
+    }
+    environment |= {"HOME": str(tmp_path), "PYTHONPATH": str(Path(compiled.__file__).parents[2])}
+    subprocess.run([sys.executable, "-c", UNTOUCHED], env=environment, check=True)
+
+
+def test_a_folder_of_the_machine_code_can_be_named(tmp_path, monkeypatch):
+    monkeypatch.setattr(compiled, "_folder", None)
+    compiled.use_cache(tmp_path)
+    assert compiled._current_folder().parent == tmp_path / "numba"
+
+
 def test_digest_changes_with_any_source(tmp_path):
     (tmp_path / "a.py").write_text("x = 1\n")
     first = compiled.source_digest(tmp_path)

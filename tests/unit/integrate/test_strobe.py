@@ -9,7 +9,8 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
 from gearwear.integrate.dormand_prince import period_flow
-from gearwear.integrate.strobe import BLOW_UP, COMPLETED, TOO_MANY_STEPS, monodromy, strobe, trace
+from gearwear.integrate.status import BLOW_UP, COMPLETED, TOO_MANY_STEPS
+from gearwear.integrate.strobe import monodromy, strobe, trace
 from gearwear.oscillator.oscillator import ExternalTorque, Oscillator
 from gearwear.oscillator.periodic import Harmonics, PeriodicTable
 

@@ -7,7 +7,8 @@ import pytest
 
 from gearwear.integrate import strobe_many as strobe_many_module
 from gearwear.integrate.affine.cycle_detection import fill_if_recurring
-from gearwear.integrate.strobe import BLOW_UP, COMPLETED, GROWTH, MAPS, RECORDS, STATES, strobe
+from gearwear.integrate.status import BLOW_UP, COMPLETED, GROWTH, MAPS, RECORDS, STATES
+from gearwear.integrate.strobe import strobe
 from gearwear.integrate.strobe_many import strobe_many
 from gearwear.oscillator.oscillator import ExternalTorque, Oscillator
 from gearwear.oscillator.periodic import Harmonics, PeriodicTable
@@ -53,6 +54,26 @@ def test_every_point_is_that_of_strobe_to_the_last_bit(detail):
         assert_same(strobe(oscillator, start, 30, detail=detail), many, p)
 
 
+def test_records_of_many_are_those_of_one_wherever_their_extremes_lie():
+    """Forces with several peaks a period, equal ones, on both flanks, and constant ones."""
+    random = np.random.default_rng(7)
+    oscillators = [
+        Oscillator(
+            random.uniform(0.1, 2.0),
+            random.choice([0.01, 0.1]),
+            random.choice([0.1, -0.1, 0.0]),
+            Harmonics(1.0, tuple(random.uniform(0.0, 0.25, 3)), tuple(random.uniform(0.0, 6.0, 3))),
+            Harmonics(0.0, tuple(random.choice([0.0, 0.01, 0.3]) / (1 + np.arange(3))), tuple(random.uniform(0, 6, 3))),
+            Harmonics(1.0, (random.choice([0.0, 0.2]),), (1.0,)),
+        )
+        for _ in range(160)
+    ]
+    starts = random.uniform(-1.5, 1.5, (len(oscillators), 2))
+    many = strobe_many(oscillators, starts, 40)
+    for p, (oscillator, start) in enumerate(zip(oscillators, starts, strict=True)):
+        assert_same(strobe(oscillator, start, 40), many, p)
+
+
 def test_neighbours_do_not_matter():
     oscillators = unlike_oscillators()
     many = strobe_many(oscillators, (0.3, 0.1), 40, detail=GROWTH)
@@ -87,14 +108,14 @@ def test_blow_up_of_one_point_leaves_the_others_alone():
 
 
 @pytest.mark.parametrize("detail", [STATES, GROWTH, MAPS, RECORDS])
-def test_early_end_changes_no_bit(detail):
+def test_detect_cycles_changes_no_bit(detail):
     """Periods 1, 2 and 4 recur and are filled in; chaos and a blow-up are run to the end. Growth alone is rounded."""
     driven = dataclasses.replace(CHAOTIC, error=Harmonics(0.0, (3e6,), (0.0,)))
     oscillators = [*(CHAOTIC.at_frequency(w) for w in (0.4, 0.9, 1.1, 1.21, 1.4)), driven]
     whole = strobe_many(oscillators, (0.0, 0.0), 1500, detail=detail)
-    early = strobe_many(oscillators, (0.0, 0.0), 1500, detail=detail, early_end=True)
+    early = strobe_many(oscillators, (0.0, 0.0), 1500, detail=detail, detect_cycles=True)
     for p, oscillator in enumerate(oscillators):
-        assert_same(strobe(oscillator, (0.0, 0.0), 1500, detail=detail, early_end=True), early, p)
+        assert_same(strobe(oscillator, (0.0, 0.0), 1500, detail=detail, detect_cycles=True), early, p)
     for name in whole._fields:
         if detail == GROWTH and name in ("growth", "tangent"):
             np.testing.assert_allclose(getattr(early, name), getattr(whole, name), atol=1e-11)

@@ -5,13 +5,15 @@ import pytest
 
 from gearwear.codes import motion_class
 from gearwear.integrate.strobe import strobe
-from gearwear.motions.classify import weigh
+from gearwear.motions.classify import classify
+from gearwear.motions.settling import Settling
 from gearwear.orbits.newton import periodic_orbit
 from gearwear.orbits.return_map import return_maps
 from gearwear.oscillator.oscillator import ExternalTorque, Oscillator
 from gearwear.oscillator.periodic import Harmonics
 
 SAMPLES = 120
+SETTLING = Settling(0, 0, SAMPLES, 16, 1e-7, 3e-3)
 DAMPED, GROWING = np.full(SAMPLES, -0.1), np.full(SAMPLES, 0.5)
 
 
@@ -25,7 +27,7 @@ def orbit_of(oscillator, period, seed=(1.0, 0.0)):
 
 
 def seen(oscillator, states, growth=DAMPED, first_period=0):
-    return weigh(oscillator, states, growth, first_period, 16, 1e-7, 3e-3, 1e-10)
+    return classify(oscillator, states, growth, first_period, SETTLING, 1e-10)
 
 
 def repeated(orbit):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from gearwear.codes import motion_class
-from gearwear.integrate.strobe import GROWTH
+from gearwear.integrate.status import GROWTH
 from gearwear.motions.settling import Settling, settle, settle_many
 from gearwear.oscillator.oscillator import ExternalTorque, Oscillator
 from gearwear.oscillator.periodic import Harmonics

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from gearwear.integrate.strobe import GENERAL, GROWTH
+from gearwear.integrate.status import GROWTH
+from gearwear.integrate.strobe import GENERAL
 from gearwear.motions.motion_variables import end_of
 from gearwear.motions.settling import Settling, settle
 from gearwear.motions.start import rest_state

@@ -2,14 +2,12 @@
 
 import numpy as np
 
-from gearwear.integrate.affine.affine_flow import COMPLETED
 from gearwear.integrate.affine.affine_lanes import new_scratch, run_group
 from gearwear.integrate.affine.affine_table import WIDTH, cell_counts, fill_table
-from gearwear.integrate.affine.cell_crossing import GROWTH, MAPS, RECORDS
-from gearwear.integrate.affine.cell_extremes import RECORDS as COLUMNS
 from gearwear.integrate.affine.cell_series import TERMS
 from gearwear.integrate.affine.plain_step import LANES, PLAIN, pack_plain, stand_still
 from gearwear.integrate.compiled import njit
+from gearwear.integrate.status import COLUMNS, COMPLETED, GROWTH, MAPS, RECORDS
 
 
 @njit
@@ -23,7 +21,7 @@ def count_all(constants, harmonics, cells, places):
 
 @njit
 def run_many(
-    constants, harmonics, cells, places, shared, order, counts, starts, directions, periods, detail, early_end
+    constants, harmonics, cells, places, shared, order, counts, starts, directions, periods, detail, detect_cycles
 ):
     """Run whole periods of many oscillators.
 
@@ -34,7 +32,7 @@ def run_many(
     shared : (points,) True where the oscillator is that of the point before it in ``order``
     order : (points,) in which the points are dealt to the lanes; counts : from count_all
     starts, directions : (points, 2); the directions, of length 1, are updated in place
-    early_end : see affine_lanes.run_group
+    detect_cycles : see affine_lanes.run_group
 
     Returns
     -------
@@ -80,7 +78,7 @@ def run_many(
             group,
             periods,
             detail,
-            early_end,
+            detect_cycles,
             new_scratch(longest),
             directions,
             states,

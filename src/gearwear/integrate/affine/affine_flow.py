@@ -19,20 +19,30 @@ from gearwear.integrate.affine.affine_table import (
     KICK_X,
     STEP,
 )
-from gearwear.integrate.affine.cell_crossing import GROWTH, MAP, MAPS, RECORDS, affine, cross_cell, side_at_start
+from gearwear.integrate.affine.cell_crossing import MAP, affine, cross_cell, side_at_start
 from gearwear.integrate.affine.cell_exit import READY
-from gearwear.integrate.affine.cell_extremes import HIGHEST, IMPACTS, LOWEST, WORK, note_piece
-from gearwear.integrate.affine.cell_extremes import RECORDS as COLUMNS
+from gearwear.integrate.affine.cell_extremes import WORK, note_piece
 from gearwear.integrate.affine.cycle_detection import fill_if_recurring
-from gearwear.integrate.compiled import borrowing, inlined, njit
+from gearwear.integrate.compiled import njit, njit_inline, njit_noalloc
+from gearwear.integrate.status import (
+    BLOW_UP,
+    COLUMNS,
+    COMPLETED,
+    GROWTH,
+    HIGHEST,
+    IMPACTS,
+    LARGEST_DISPLACEMENT,
+    LOWEST,
+    MAPS,
+    RECORDS,
+    TOO_MANY_STEPS,
+)
 from gearwear.integrate.tangent import growth_of
 
-COMPLETED, BLOW_UP, TOO_MANY_STEPS = 0, 1, 2
-LARGEST_DISPLACEMENT = 1e6
 THIRD = 1.0 / 3.0
 
 
-@inlined
+@njit_inline
 def stays(side, x, v, x1, v1, half, low, high, slack_x, slack_v, slack_1):
     """Whether a cell is passed on one branch for sure: the hull of cell_exit lies between the corners or beyond."""
     q1, q3 = x + 0.5 * half * v, x1 - 0.5 * half * v1
@@ -46,7 +56,7 @@ def stays(side, x, v, x1, v1, half, low, high, slack_x, slack_v, slack_1):
     return (gap1 > 0.0) & (gap2 > slack) & (gap3 > 0.0) & (gap4 > 0.0)
 
 
-@borrowing
+@njit_noalloc
 def run_period(rows, slack, state, side, index, detail, start, work, record, stops, visits):
     """Carry a state through one period; arguments as in run, the number ``index`` of the period.
 
@@ -110,7 +120,7 @@ def run_period(rows, slack, state, side, index, detail, start, work, record, sto
 
 
 @njit
-def run(rows, slack, state, direction, first_period, periods, detail, stops, early_end):
+def run(rows, slack, state, direction, first_period, periods, detail, stops, detect_cycles):
     """Run whole periods of the oscillator of a table.
 
     Parameters
@@ -120,14 +130,14 @@ def run(rows, slack, state, direction, first_period, periods, detail, stops, ear
     state, direction : (2,) state at mesh phase 0 and tangent vector of length 1; the direction is updated in place
     detail : STATES; GROWTH of the direction; MAPS too; RECORDS too. What is not asked for is NaN
     stops : increasing numbers of cells at whose start the state is noted; the number of cells for the period's end
-    early_end : whether a motion whose state recurs is filled in, as by early_end; with one table, without stops
+    detect_cycles : whether a motion whose state recurs is filled in by cycle detection; with one table, without stops
 
     Returns
     -------
     states : (periods + 1, 2) at mesh phase 0, after the kick there
     maps : (periods, 2, 2) derivative of the state after a period by the state before it
     growth : (periods,) logarithm of the growth of the direction
-    records : (periods, COLUMNS) columns LOWEST, HIGHEST, FORCE, LOST (time), IMPACTS
+    records : (periods, COLUMNS) columns as in status
     visits : (periods, stops, 2)
     status : COMPLETED, BLOW_UP or TOO_MANY_STEPS; what was not reached is NaN
     """
@@ -165,6 +175,6 @@ def run(rows, slack, state, direction, first_period, periods, detail, stops, ear
             maps[i, 0, 0], maps[i, 0, 1], maps[i, 1, 0], maps[i, 1, 1] = a, b, c, d
         if detail == RECORDS:
             records[i] = record[0]
-        if early_end and fill_if_recurring(i + 1, detail, direction, states, maps, growth, records):
+        if detect_cycles and fill_if_recurring(i + 1, detail, direction, states, maps, growth, records):
             break
     return states, maps, growth, records, visits, COMPLETED

@@ -9,21 +9,10 @@ import math
 
 import numpy as np
 
-from gearwear.integrate.affine.affine_flow import BLOW_UP, LARGEST_DISPLACEMENT, TOO_MANY_STEPS
 from gearwear.integrate.affine.affine_table import COMMON, CONTACT, FREE, FRESH, INTO, KICK_V, KICK_X
-from gearwear.integrate.affine.cell_crossing import (
-    GROWTH,
-    MAP,
-    MAPS,
-    RECORDS,
-    STATES,
-    affine,
-    cross_cell,
-    side_at_start,
-)
+from gearwear.integrate.affine.cell_crossing import MAP, affine, cross_cell, side_at_start
 from gearwear.integrate.affine.cell_exit import READY
-from gearwear.integrate.affine.cell_extremes import HIGHEST, IMPACTS, LOWEST, WORK, note_piece
-from gearwear.integrate.affine.cell_extremes import RECORDS as COLUMNS
+from gearwear.integrate.affine.cell_extremes import WORK, note_piece
 from gearwear.integrate.affine.cycle_detection import fill_if_recurring
 from gearwear.integrate.affine.plain_step import (
     GROWN,
@@ -46,11 +35,24 @@ from gearwear.integrate.affine.plain_step import (
     plain_steps,
     stand_still,
 )
-from gearwear.integrate.compiled import borrowing, njit
+from gearwear.integrate.compiled import njit, njit_noalloc
+from gearwear.integrate.status import (
+    BLOW_UP,
+    COLUMNS,
+    GROWTH,
+    HIGHEST,
+    IMPACTS,
+    LARGEST_DISPLACEMENT,
+    LOWEST,
+    MAPS,
+    RECORDS,
+    STATES,
+    TOO_MANY_STEPS,
+)
 from gearwear.integrate.tangent import growth_of
 
 
-@borrowing
+@njit_noalloc
 def enter_branch(common, lanes, lane, record, counts):
     """Set the branch of a lane from its state at the start of a cell."""
     entered = side_at_start(common, lanes[X * LANES + lane], lanes[V * LANES + lane])
@@ -59,7 +61,7 @@ def enter_branch(common, lanes, lane, record, counts):
     lanes[SIDE * LANES + lane] = entered
 
 
-@borrowing
+@njit_noalloc
 def cross_lane(cell, lanes, lane, detail, work, record):
     """Carry a lane that may meet a corner through its cell; False if it cannot be carried on."""
     x1, v1, side, completed = cross_cell(
@@ -82,7 +84,7 @@ def cross_lane(cell, lanes, lane, detail, work, record):
     return completed
 
 
-@borrowing
+@njit_noalloc
 def note_lane(cell, lanes, lane, work, record):
     """Take a plain step of a lane into the record of its period."""
     side, x, v = lanes[SIDE * LANES + lane], lanes[X0 * LANES + lane], lanes[V0 * LANES + lane]
@@ -93,7 +95,7 @@ def note_lane(cell, lanes, lane, work, record):
     note_piece(cell[COMMON], branch, (side, xm, vm), -1.0, x, v, 1.0, x1, v1, work, record, lane)
 
 
-@borrowing
+@njit_noalloc
 def kick_lane(common, lanes, lane, record):
     """Add the kick at the end of a cell, and take the state after it into the record."""
     x = lanes[X * LANES + lane] + common[KICK_X]
@@ -101,7 +103,7 @@ def kick_lane(common, lanes, lane, record):
     record[lane, LOWEST], record[lane, HIGHEST] = min(record[lane, LOWEST], x), max(record[lane, HIGHEST], x)
 
 
-@borrowing
+@njit_noalloc
 def freeze(lanes, lane, plain, cells):
     """Let a lane stand still for good."""
     for n in range(cells):
@@ -109,7 +111,7 @@ def freeze(lanes, lane, plain, cells):
     lanes[X * LANES + lane] = lanes[V * LANES + lane] = lanes[SIDE * LANES + lane] = 0.0
 
 
-@borrowing
+@njit_noalloc
 def end_period(lanes, lane, i, detail, direction, states, maps, growth, record, records):
     """Store what a lane did in period i; False if it blew up."""
     x, v = lanes[X * LANES + lane], lanes[V * LANES + lane]
@@ -143,7 +145,7 @@ def new_scratch(longest):
     )
 
 
-@borrowing
+@njit_noalloc
 def run_group(
     rows,
     counts,
@@ -152,7 +154,7 @@ def run_group(
     group,
     periods,
     detail,
-    early_end,
+    detect_cycles,
     scratch,
     directions,
     states,
@@ -169,7 +171,7 @@ def run_group(
     counts : (LANES,) number of cells, 0 for a lane without a point
     plain, slack : as from pack_plain, and (3 LANES,)
     group : (LANES,) number of the point of every lane
-    early_end : whether a lane whose state recurs is filled in
+    detect_cycles : whether a lane whose state recurs is filled in
     scratch : arrays of the sizes of new_scratch
     """
     lanes, work, record, alive, kicked = scratch
@@ -219,7 +221,7 @@ def run_group(
                     freeze(lanes, lane, plain, longest)
                 doubtful >>= 1
                 lane += 1
-            if kicked[n] or detail == RECORDS:
+            if kicked[n]:
                 for lane in range(LANES):
                     if alive[lane] and n < counts[lane]:
                         kick_lane(rows[lane * longest + n, COMMON], lanes, lane, record)
@@ -233,7 +235,7 @@ def run_group(
                 )
                 if done:
                     status[p] = BLOW_UP
-                elif early_end:
+                elif detect_cycles:
                     done = fill_if_recurring(i + 1, detail, directions[p], states[p], maps[p], growth[p], records[p])
                 if done:
                     alive[lane] = False

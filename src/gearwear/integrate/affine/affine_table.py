@@ -7,7 +7,6 @@ is to be visited. A torque at another frequency that repeats after some mesh per
 
 import math
 from dataclasses import replace
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -24,8 +23,8 @@ from gearwear.integrate.affine.cell_series import (
     product_series,
     values_at_ends,
 )
-from gearwear.integrate.compiled import borrowing, njit
-from gearwear.oscillator.oscillator import Coefficients, Oscillator
+from gearwear.integrate.compiled import njit, njit_noalloc
+from gearwear.oscillator.oscillator import Oscillator
 
 LONGEST_CELL = 0.5
 LARGEST_TURN = 1.4  # of cell length times the fastest rate: degree 14 then leaves 1e-15
@@ -53,25 +52,19 @@ class AffineTable(NamedTuple):
     slack: np.ndarray
 
 
-def arrays(oscillator: Oscillator) -> Coefficients:
-    """Coefficients of an oscillator with the constants as an array too."""
-    coefficients = oscillator.coefficients
-    return coefficients._replace(constants=np.array(coefficients.constants, dtype=float))
+def affine_table(oscillator: Oscillator, phases: tuple[float, ...] = ()) -> AffineTable | None:
+    """Table of an oscillator, with cell edges at the mesh phases given (increasing, within [0, 1]).
 
-
-def applies_to(oscillator: Oscillator) -> bool:
-    """Whether the oscillator repeats after some mesh periods, with a sensible number of cells."""
-    periods = oscillator.torque.mesh_periods(MOST_PERIODS)
-    return periods > 0 and periods * cell_counts(*arrays(oscillator)).sum() <= MOST_CELLS
-
-
-@lru_cache(maxsize=8)
-def affine_table(oscillator: Oscillator, phases: tuple[float, ...] = ()) -> AffineTable:
-    """Table of an oscillator, with cell edges at the mesh phases given (increasing, within [0, 1])."""
-    coefficients, torque = arrays(oscillator), oscillator.torque
+    None for an oscillator that does not repeat after some mesh periods with a sensible number of cells.
+    """
+    coefficients, torque = oscillator.coefficients, oscillator.torque
+    coefficients = coefficients._replace(constants=np.array(coefficients.constants, dtype=float))
+    periods, counts = torque.mesh_periods(MOST_PERIODS), cell_counts(*coefficients)
+    if not 0 < periods * counts.sum() <= MOST_CELLS:
+        return None
     if phases:
         coefficients = coefficients._replace(cells=cut_cells(coefficients.cells, phases, oscillator.period))
-    counts, periods = cell_counts(*coefficients), torque.mesh_periods(MOST_PERIODS)
+        counts = cell_counts(*coefficients)
     rows, slack = np.zeros((periods, counts.sum(), 3, WIDTH)), np.zeros((periods, 3))
     for period in range(periods):
         if period > 0:
@@ -115,7 +108,7 @@ def cell_counts(constants, harmonics, cells):
     return counts
 
 
-@borrowing
+@njit_noalloc
 def fill_table(constants, harmonics, cells, counts, scratch, rows, slack):
     """Write the rows, as many as the sum of the counts of cell_counts, and the slack; scratch has 2 TERMS places."""
     frequency = constants[0]
@@ -156,7 +149,7 @@ def fill_table(constants, harmonics, cells, counts, scratch, rows, slack):
             r += 1
 
 
-@borrowing
+@njit_noalloc
 def load_series(constants, harmonics, middle, half, row, force):
     """Add the fluctuations of stiffness, force and clearance to their series about a mesh phase."""
     frequency, ratio = constants[0], constants[4]
@@ -173,7 +166,7 @@ def load_series(constants, harmonics, middle, half, row, force):
             add_wave(force, 0, harmonics[j, 6], harmonics[j, 7], angle, ratio * turn)
 
 
-@borrowing
+@njit_noalloc
 def finish_clearance(row):
     """Ends, bounds and curvature of the clearance, and a bound of the stiffness, from their series."""
     rate = row[RATE]
@@ -192,7 +185,7 @@ def finish_clearance(row):
     row[STIFFNESS_HIGH] = total
 
 
-@borrowing
+@njit_noalloc
 def finish_maps(row, rate, clearance_bend, slack):
     """The three affine maps of a branch from its series, and the bounds of its fourth derivative.
 

@@ -21,16 +21,16 @@ from gearwear.integrate.affine.affine_table import (
     WAVES,
 )
 from gearwear.integrate.affine.cell_exit import READY, clearance_at, first_exit
-from gearwear.integrate.affine.cell_extremes import IMPACTS, note_piece
+from gearwear.integrate.affine.cell_extremes import note_piece
 from gearwear.integrate.affine.cell_series import R_CLEARANCE, R_FORCE, TERMS, P, Q
-from gearwear.integrate.compiled import borrowing, inlined
+from gearwear.integrate.compiled import njit_inline, njit_noalloc
+from gearwear.integrate.status import IMPACTS, LARGEST_INSIDE, RECORDS, STATES
 
-STATES, GROWTH, MAPS, RECORDS = range(4)
 MAP = 49  # place in the work array, after those of cell_exit, of the cell's tangent map
 MOST_CROSSINGS = 200
 
 
-@inlined
+@njit_inline
 def affine(branch, start, side, x, v):
     """A map of the row of a branch: see affine_table.finish_maps."""
     return (
@@ -39,7 +39,7 @@ def affine(branch, start, side, x, v):
     )
 
 
-@inlined
+@njit_inline
 def series_and_slope(branch, wave, rate, s):
     """One of P, Q, R_F, R_b of a branch at s, and its derivative by time; four interleaved Horner schemes in s^4."""
     c = WAVES + wave * TERMS
@@ -63,7 +63,7 @@ def series_and_slope(branch, wave, rate, s):
     return value, slope * rate
 
 
-@inlined
+@njit_inline
 def fundamental_at(branch, free, rate, s):
     """P, Q of a branch at s and their derivatives by time; without contact P is 1."""
     p, dp = (1.0, 0.0) if free else series_and_slope(branch, P, rate, s)
@@ -71,7 +71,7 @@ def fundamental_at(branch, free, rate, s):
     return p, q, dp, dq
 
 
-@inlined
+@njit_inline
 def response_at(branch, side, rate, s):
     """R_F + side R_b of a branch at s and its derivative by time."""
     f, df = series_and_slope(branch, R_FORCE, rate, s)
@@ -81,7 +81,7 @@ def response_at(branch, side, rate, s):
     return f + side * b, df + side * db
 
 
-@inlined
+@njit_inline
 def side_at_start(common, x, v):
     """Branch of a state at the start of a cell: by position, on the corner by velocity, at rest by acceleration."""
     side = 1.0 if x >= 0.0 else -1.0
@@ -93,7 +93,7 @@ def side_at_start(common, x, v):
     return side if gap > 0.0 else 0.0
 
 
-@inlined
+@njit_inline
 def exit_of_branch(common, branch, middle, low, x, v, x1, v1, work):
     """First departure from a branch between s = low and the end of a cell, from the states at both ends.
 
@@ -121,7 +121,7 @@ def exit_of_branch(common, branch, middle, low, x, v, x1, v1, work):
     return left, at, rate
 
 
-@borrowing
+@njit_noalloc
 def cross_cell(cell, side, x, v, detail, work, record, lane):
     """Carry a state through a cell.
 
@@ -141,7 +141,7 @@ def cross_cell(cell, side, x, v, detail, work, record, lane):
     completed = False
     for _ in range(MOST_CROSSINGS):
         x1, v1 = affine(branch, OUT, side, x_middle, v_middle)
-        if not (abs(x1) < 1e100 and abs(v1) < 1e100):
+        if not (abs(x1) < LARGEST_INSIDE and abs(v1) < LARGEST_INSIDE):
             break
         work[READY] = 0.0
         corner, s, slope = exit_of_branch(common, branch, (side, x_middle, v_middle), low, x, v, x1, v1, work)

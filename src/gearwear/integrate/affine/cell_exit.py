@@ -8,7 +8,7 @@ crosses zero once; where it proves neither the piece is halved. Nothing is sampl
 
 from gearwear.integrate.affine.affine_table import CLEARANCE, CLEARANCE_BEND, WAVES
 from gearwear.integrate.affine.cell_series import DEGREE, TERMS
-from gearwear.integrate.compiled import inlined
+from gearwear.integrate.compiled import njit_inline
 
 # Places in the work array: series of x, of dx/ds and of d2x/ds2, and whether they are up to date.
 MOTION, SLOPE, CURVE, READY = 0, 16, 32, 48
@@ -18,7 +18,7 @@ MOST_PIECES = 400
 NONE, CROSSES, UNDECIDED = 0, 1, 2
 
 
-@inlined
+@njit_inline
 def set_motion(branch, middle, work):
     """Write the series of the motion on a branch that passes through (side, x, v) in the middle of its cell."""
     side, x, v = middle
@@ -33,7 +33,7 @@ def set_motion(branch, middle, work):
     work[READY] = 1.0
 
 
-@inlined
+@njit_inline
 def series_at(work, start, s):
     """Value of a series of TERMS coefficients; four interleaved Horner schemes in s^4."""
     square = s * s
@@ -45,7 +45,7 @@ def series_at(work, start, s):
     return (a + s * b) + square * (c + s * d)
 
 
-@inlined
+@njit_inline
 def short_series_at(work, start, s):
     """Value of the first eight terms of a series: within 1e-5 of it, a first approximation."""
     square = s * s
@@ -55,7 +55,7 @@ def short_series_at(work, start, s):
     return (a + s * b) + square * (c + s * d)
 
 
-@inlined
+@njit_inline
 def clearance_at(common, s):
     """Clearance b inside a cell, and its first and second derivative by s."""
     b, slope, curve = common[CLEARANCE], 0.0, 0.0
@@ -68,7 +68,7 @@ def clearance_at(common, s):
     return b, slope, curve
 
 
-@inlined
+@njit_inline
 def margin_at(common, work, inward, corner, s):
     """Margin to the corner at corner b, its slope and its curvature by s."""
     b, slope, curve = clearance_at(common, s)
@@ -79,7 +79,7 @@ def margin_at(common, work, inward, corner, s):
     )
 
 
-@inlined
+@njit_inline
 def hull_verdict(length, m0, d0, m1, d1, bend):
     """Whether a margin, not negative at first, crosses zero in a piece: NONE, CROSSES (once) or UNDECIDED.
 
@@ -98,7 +98,7 @@ def hull_verdict(length, m0, d0, m1, d1, bend):
     return UNDECIDED
 
 
-@inlined
+@njit_inline
 def first_guess(m0, d0, m1, d1):
     """Approximate root in [0, 1] of a margin that falls below zero, from values and slopes at 0 and 1."""
     if d0 < 0.0:
@@ -116,7 +116,7 @@ def first_guess(m0, d0, m1, d1):
     return u
 
 
-@inlined
+@njit_inline
 def better_guess(common, work, inward, corner, low, s, high):
     """One Newton step on the first terms of the margin, kept in its bracket."""
     b, slope, _ = clearance_at(common, s)
@@ -126,7 +126,7 @@ def better_guess(common, work, inward, corner, low, s, high):
     return min(high, max(low, s - inward * (corner * short_series_at(work, MOTION, s) - b) / d))
 
 
-@inlined
+@njit_inline
 def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
     """Root of the margin in [low, high], where it falls below zero, and its slope there.
 
@@ -160,7 +160,7 @@ def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
     return s, d
 
 
-@inlined
+@njit_inline
 def first_exit(common, branch, middle, work, inward, corner, low, m0, d0, m_end, d_end, bend):
     """First departure of a branch through one corner between s = low and 1: (found, s, slope of the margin there).
 

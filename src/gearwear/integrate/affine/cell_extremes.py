@@ -6,18 +6,17 @@ turning point computed.
 
 from gearwear.integrate.affine.affine_table import BEND, CLEARANCE, CLEARANCE_LOW, HALF_WIDTH, STIFFNESS, STIFFNESS_HIGH
 from gearwear.integrate.affine.cell_exit import MOTION, READY, SIXTH, series_at, set_motion
-from gearwear.integrate.affine.cell_series import DEGREE, TERMS, fourth_derivative_bound
-from gearwear.integrate.compiled import borrowing, inlined
+from gearwear.integrate.affine.cell_series import TERMS, fourth_derivative_bound, product_series
+from gearwear.integrate.compiled import njit_inline, njit_noalloc
+from gearwear.integrate.status import FORCE, HIGHEST, LOST, LOWEST
 
-LOWEST, HIGHEST, FORCE, LOST, IMPACTS = range(5)
-RECORDS = 5
 # Places in the work array of the series of the mesh force, of its slope and of its curvature by s.
 LOAD, LOAD_SLOPE, LOAD_CURVE = 64, 80, 96
 WORK = 112
 MOST_PIECES = 60
 
 
-@inlined
+@njit_inline
 def hull_top(length, f0, d0, f1, d1, bend):
     """Upper bound of a function over a piece; ``bend`` as in cell_exit.hull_verdict."""
     half = 0.5 * length
@@ -26,7 +25,7 @@ def hull_top(length, f0, d0, f1, d1, bend):
     return max(max(f0, f1), max(q2, max(q1, q3)))
 
 
-@inlined
+@njit_inline
 def turns_down_once(length, f0, d0, f1, d1, bend):
     """Whether the hull has its slopes first up, then down, with one change of sign."""
     half = 0.5 * length
@@ -36,7 +35,7 @@ def turns_down_once(length, f0, d0, f1, d1, bend):
     return d0 > 0.0 > d1 and (q2 - bend >= q1 or q3 <= q2 - bend) and (q2 + bend <= q1 or q3 >= q2 + bend or q3 <= q2)
 
 
-@borrowing
+@njit_noalloc
 def top_of_turn(work, start, sign, low, high):
     """Value at the turning point between low, where the function rises, and high, where it falls."""
     s = 0.5 * (low + high)
@@ -55,7 +54,7 @@ def top_of_turn(work, start, sign, low, high):
     return sign * series_at(work, start, s)
 
 
-@borrowing
+@njit_noalloc
 def highest(work, start, sign, low, f0, d0, end, f_end, d_end, bend, best):
     """Largest value of sign times a series over [low, end], or ``best`` if that is larger."""
     high, f1, d1 = end, f_end, d_end
@@ -81,15 +80,13 @@ def highest(work, start, sign, low, f0, d0, end, f_end, d_end, bend, best):
     return best
 
 
-@borrowing
+@njit_noalloc
 def set_load(common, side, work):
     """Write the series of the mesh force k (side x - b) and of its derivatives, up to the degree kept."""
-    for n in range(2 * TERMS):
-        work[LOAD + n] = 0.0
-    for n in range(DEGREE + 1):
-        margin = side * work[MOTION + n] - common[CLEARANCE + n]
-        for i in range(TERMS):
-            work[LOAD + n + i] += common[STIFFNESS + i] * margin
+    margin = work[LOAD_CURVE : LOAD_CURVE + TERMS]
+    for n in range(TERMS):
+        margin[n] = side * work[MOTION + n] - common[CLEARANCE + n]
+    product_series(margin, common[STIFFNESS:], work[LOAD:])
     work[LOAD + TERMS - 1] = 0.0
     for n in range(TERMS - 1):
         work[LOAD_SLOPE + n] = (n + 1) * work[LOAD + n + 1]
@@ -99,7 +96,7 @@ def set_load(common, side, work):
     work[LOAD_CURVE + TERMS - 1] = 0.0
 
 
-@borrowing
+@njit_noalloc
 def note_piece(common, branch, middle, low, x, v, high, x1, v1, work, record, lane):
     """Take the piece of a motion between s = low and high into the record of its period.
 
@@ -109,7 +106,7 @@ def note_piece(common, branch, middle, low, x, v, high, x1, v1, work, record, la
     middle : (side, x, v) of the motion in the middle of the cell
     x, v, x1, v1 : states at both ends
     work : work array; READY there tells whether the series of the motion is written
-    record : (lanes, RECORDS), of which the row ``lane`` is updated
+    record : (lanes, COLUMNS), of which the row ``lane`` is updated
     """
     side, half = middle[0], common[HALF_WIDTH]
     length = high - low

@@ -11,14 +11,14 @@ flank). P and Q solve the homogeneous equation, R_F answers the external force a
 
 import math
 
-from gearwear.integrate.compiled import borrowing
+from gearwear.integrate.compiled import njit_noalloc
 
 DEGREE = 14
 TERMS = 16  # coefficients kept, the last one zero: a multiple of the width of vector registers
 P, Q, R_FORCE, R_CLEARANCE = range(4)
 
 
-@borrowing
+@njit_noalloc
 def add_wave(series, start, cosine, sine, angle, turn):
     """Add the Taylor coefficients of cosine cos(angle + turn s) + sine sin(angle + turn s) to series[start:]."""
     c, s = math.cos(angle), math.sin(angle)
@@ -31,7 +31,7 @@ def add_wave(series, start, cosine, sine, angle, turn):
             power = -power
 
 
-@borrowing
+@njit_noalloc
 def fundamental_series(waves, in_contact, half_width, friction, stiffness, force, shift, clearance, steady):
     """Write the coefficients of P, then Q, R_F and R_b of a cell, TERMS of each.
 
@@ -71,7 +71,7 @@ def fundamental_series(waves, in_contact, half_width, friction, stiffness, force
             b[j] = -clearance * p[j]
 
 
-@borrowing
+@njit_noalloc
 def product_series(first, second, result):
     """Taylor coefficients, up to the degree kept, of the product of two series."""
     for n in range(DEGREE + 1):
@@ -81,7 +81,7 @@ def product_series(first, second, result):
         result[n] = total
 
 
-@borrowing
+@njit_noalloc
 def values_at_ends(series, start):
     """Sum of a series and of its slope at s = -1, then at s = 1; the smallest terms first."""
     even, odd, even_slope, odd_slope = 0.0, 0.0, 0.0, 0.0
@@ -93,7 +93,7 @@ def values_at_ends(series, start):
     return even - odd, even_slope - odd_slope, even + odd, even_slope + odd_slope
 
 
-@borrowing
+@njit_noalloc
 def fourth_derivative_bound(series, start):
     """Bound of the fourth derivative over s in [-1, 1]: the sum of the moduli of its coefficients."""
     bound = 0.0

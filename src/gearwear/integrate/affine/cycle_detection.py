@@ -1,11 +1,11 @@
 """Stopping a motion whose section recurs to the last bit: the map of a period has no memory, so the rest is known."""
 
-from gearwear.integrate.affine.cell_crossing import MAPS, RECORDS
-from gearwear.integrate.compiled import borrowing
+from gearwear.integrate.compiled import njit_noalloc
+from gearwear.integrate.status import MAPS, RECORDS
 from gearwear.integrate.tangent import growth_of
 
 
-@borrowing
+@njit_noalloc
 def fill_if_recurring(reached, detail, direction, states, maps, growth, records):
     """Fill in what comes after state ``reached`` if that is, to the last bit, an earlier one.
 

@@ -14,7 +14,7 @@ from gearwear.integrate.affine.affine_table import (
     HALF_WIDTH,
     STEP,
 )
-from gearwear.integrate.compiled import borrowing, inlined
+from gearwear.integrate.compiled import njit_inline, njit_noalloc
 
 LANES = 16
 # Columns of the plain steps: the map in contact (8), what of the free one is not 1 or 0 (4), half width, clearances.
@@ -24,7 +24,7 @@ FREE_STEP, HALF, LOW, HIGH, PLAIN = 8, 12, 13, 14, 15
 X, V, X0, V0, SIDE, S0, S1, S2, S3, T0, T1, T2, T3, GROWN, PLACES = range(15)
 
 
-@borrowing
+@njit_noalloc
 def stand_still(plain, n, lane):
     """Make a cell of a lane change nothing."""
     for column in range(PLAIN):
@@ -35,7 +35,7 @@ def stand_still(plain, n, lane):
     plain[n, HIGH * LANES + lane] = -np.inf
 
 
-@borrowing
+@njit_noalloc
 def pack_plain(rows, first, cells, plain, lane):
     """Copy what a plain step needs of the rows of a lane, the first of them ``first``."""
     for n in range(cells):
@@ -48,7 +48,7 @@ def pack_plain(rows, first, cells, plain, lane):
             plain[n, column * LANES + lane] = rows[r, COMMON, source]
 
 
-@inlined
+@njit_inline
 def plain_steps(cell, slack, lanes, vectors):
     """Step every lane through a cell on its branch, with 0 to 2 tangent vectors.
 
@@ -95,7 +95,7 @@ def plain_steps(cell, slack, lanes, vectors):
     return doubtful
 
 
-@inlined
+@njit_inline
 def make_unit(lanes):
     """Make the first tangent vector of every lane one of length 1; its square length goes to GROWN."""
     for lane in range(LANES):

@@ -25,14 +25,24 @@ from gearwear.integrate.dormand_prince.switching_points import (
     highest_force,
     highest_value,
 )
+from gearwear.integrate.status import (
+    BLOW_UP,
+    COLUMNS,
+    COMPLETED,
+    FORCE,
+    HIGHEST,
+    IMPACTS,
+    LARGEST_DISPLACEMENT,
+    LOST,
+    LOWEST,
+    TOO_MANY_STEPS,
+)
 
-COMPLETED, BLOW_UP, TOO_MANY_STEPS = 0, 1, 2
-LARGEST_DISPLACEMENT = 1e6
 LARGEST_STEP = 0.5
 MOST_STEPS = 2_000_000
 TANGENT_TOLERANCE = 100.0  # tangent vectors, over the tolerance of the state
 GRAZING_BAND = 1e3  # interpolated margins below this times the tolerance are settled by stepping
-LOWEST, HIGHEST, FORCE, LOST, IMPACTS, STEPS = range(6)
+STEPS = COLUMNS  # one more column of the records: the steps taken
 
 
 @njit
@@ -136,7 +146,7 @@ def run(constants, harmonics, cells, state, direction, first_period, periods, to
     states : (periods + 1, 2) at mesh phase 0, after the kick there
     maps : (periods, 2, 2) derivative of the state after a period by the state before it
     growth : (periods,) logarithm of the growth of the direction
-    records : (periods, 6) columns LOWEST, HIGHEST, FORCE, LOST (time), IMPACTS, STEPS
+    records : (periods, COLUMNS + 1) columns as in status, and STEPS
     visits : (periods, phases, 2)
     status : COMPLETED, BLOW_UP or TOO_MANY_STEPS; what was not reached is NaN
     """
@@ -145,9 +155,9 @@ def run(constants, harmonics, cells, state, direction, first_period, periods, to
     states = np.full((periods + 1, 2), np.nan)
     maps = np.full((periods, 2, 2), np.nan)
     growth = np.full(periods, np.nan)
-    records = np.full((periods, 6), np.nan)
+    records = np.full((periods, COLUMNS + 1), np.nan)
     visits = np.full((periods, phases.size, 2), np.nan)
-    y, record = np.empty(6), np.zeros(6)
+    y, record = np.empty(6), np.zeros(COLUMNS + 1)
     y[0], y[1] = state[0], state[1]
     states[0, 0], states[0, 1] = y[0], y[1]
     branch = 0

@@ -8,15 +8,26 @@ import math
 
 import numpy as np
 
-from gearwear.integrate.affine.cell_crossing import GROWTH, MAPS, RECORDS
-from gearwear.integrate.affine.cell_extremes import FORCE, HIGHEST, IMPACTS, LOST, LOWEST
 from gearwear.integrate.compiled import njit
-from gearwear.integrate.dormand_prince.period_flow import BLOW_UP, COMPLETED, LARGEST_DISPLACEMENT, TOO_MANY_STEPS
+from gearwear.integrate.status import (
+    BLOW_UP,
+    COLUMNS,
+    COMPLETED,
+    FORCE,
+    GROWTH,
+    HIGHEST,
+    IMPACTS,
+    LARGEST_DISPLACEMENT,
+    LOST,
+    LOWEST,
+    MAPS,
+    RECORDS,
+    TOO_MANY_STEPS,
+)
 from gearwear.integrate.taylor.power_series import TERMS, extreme, shift, value
 from gearwear.integrate.taylor.series_step import branch_of, expand, first_corner
 
 MOST_CORNERS = 1000  # in one cell
-COLUMNS = 5  # of the records
 
 
 @njit
@@ -110,7 +121,7 @@ def run(linear, table, ratio, state, direction, first_period, periods, detail, s
     ratio : frequency of the external torque over that of the mesh
     state, direction : (2 n,) at mesh phase 0, and a tangent vector of length 1; the direction is updated in place
     first_period, periods : index of the first period, and their number
-    detail : as in motion.strobe
+    detail : as in strobe.strobe
     stops : (visits,) increasing indices of cells, the number of cells for the end of the period
 
     Returns
@@ -118,7 +129,7 @@ def run(linear, table, ratio, state, direction, first_period, periods, detail, s
     states : (periods + 1, 2 n) at mesh phase 0, after the kick there
     tangents : (periods, 2 n, 2 n) derivative of the state after a period by the state before it
     growth : (periods,) logarithm of the growth of the direction
-    records : (periods, COLUMNS) columns as in cell_extremes
+    records : (periods, COLUMNS) columns as in status
     visits : (periods, visits, 2 n)
     status : COMPLETED, BLOW_UP or TOO_MANY_STEPS; what was not reached, or not asked for, is NaN
     """

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -34,7 +33,6 @@ class SeriesTable(NamedTuple):
     maps: np.ndarray
 
 
-@lru_cache(maxsize=8)
 def series_table(oscillator: TranslationalOscillator, phases: tuple[float, ...] = ()) -> SeriesTable:
     """Return the table of an oscillator, with cell edges at the mesh phases given (increasing, within [0, 1])."""
     constants, harmonics, whole = oscillator.coefficients
