@@ -130,6 +130,20 @@ def test_rules_between_keys_are_checked_beside_bad_keys(raw):
     assert "\n  cases.with.running_cycles: 2.05e+9 is not a whole multiple" in str(caught.value)
 
 
+def test_a_bad_value_of_several_types_leaves_the_rest_of_its_section_to_the_rules(raw):
+    put(raw, "cases.with.bulk_temperature", float("nan"))
+    put(raw, "cases.with.running_cycles", 2.05e9)
+    with pytest.raises(ConfigError, match="configuration: 2 problems") as caught:
+        check(raw)
+    assert "\n  cases.with.running_cycles: 2.05e+9 is not a whole multiple" in str(caught.value)
+
+
+def test_a_case_that_is_no_section_keeps_its_name(raw):
+    put(raw, "cases.with", 3)
+    with pytest.raises(ConfigError, match="configuration: 1 problem\n  cases.with: 3 is not a section"):
+        check(raw)
+
+
 def test_rules_between_keys_pass_over_values_that_are_bad_themselves(raw):
     put(raw, "wear.cycles_per_update", "abc")
     put(raw, "sweeps.ste.last", "abc")
