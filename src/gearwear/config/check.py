@@ -70,8 +70,9 @@ def _usable(raw: Any) -> dict[str, Any]:
         try:
             return _stripped(Configuration.model_validate(values).model_dump(warnings=False))
         except ValidationError as error:
-            for details in error.errors(include_url=False):
-                _blank(values, details["loc"], details["type"] == "missing")
+            bad = [_bad(values, details["loc"], details["type"] == "missing") for details in error.errors()]
+            for group, name in {(id(group), name): (group, name) for group, name in bad}.values():
+                _blank(group, name)
     return {}
 
 
@@ -82,13 +83,19 @@ def _stripped(values: Any) -> Any:
     return {name: _stripped(value) for name, value in values.items() if isinstance(name, str) and value is not UNUSABLE}
 
 
-def _blank(group: dict[Any, Any], path: tuple[Any, ...], missing: bool) -> None:
-    """Mark a bad or missing value as unusable; where no mark is allowed, empty it; else take it out."""
+def _bad(group: dict[Any, Any], path: tuple[Any, ...], missing: bool) -> tuple[dict[Any, Any], Any]:
+    """Return the group of keys with a bad or missing value, and its name there."""
     name, *rest = path
     value = group.get(name)
     if rest and isinstance(value, dict) and (missing or rest[0] in value):
-        _blank(value, tuple(rest), missing)
-    elif value is UNUSABLE:
+        return _bad(value, tuple(rest), missing)
+    return group, name
+
+
+def _blank(group: dict[Any, Any], name: Any) -> None:
+    """Mark a value as unusable; where no mark is allowed, empty it; else take it out."""
+    value = group.get(name)
+    if value is UNUSABLE:
         group[name] = {}
     elif value == {}:
         del group[name]

@@ -1,7 +1,5 @@
 """Sections of the configuration that describe the gear pair, its load, its heat and its wear."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from pydantic import Field

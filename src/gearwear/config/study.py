@@ -1,7 +1,5 @@
 """Sections of the configuration that describe the oscillator and the study, and the whole configuration."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Annotated, Any, Generic, Literal, NamedTuple
 

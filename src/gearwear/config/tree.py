@@ -8,10 +8,11 @@ from typing import Any
 
 def value_at(values: Any, key: str) -> Any:
     """Return the value of a dotted key, None where it or a section around it is absent."""
-    for name in key.split("."):
-        if not isinstance(values, dict) or name not in values:
-            return None
-        values = values[name]
+    try:
+        for name in key.split("."):
+            values = values[name]
+    except (LookupError, TypeError):
+        return None
     return values
 
 

@@ -42,7 +42,7 @@ def bulk_temperature(config: dict[str, Any]) -> float:
 
 
 def of_case(values: dict[str, Any], case: dict[str, Any]) -> tuple[float | None, str]:
-    """Return the bulk temperature of a case (degC) and what hinders it; None and "" if keys for it are missing.
+    """Return the bulk temperature of a case (degC) and why there is none; None and "" if keys for it are missing.
 
     Parameters
     ----------

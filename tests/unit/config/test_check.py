@@ -1,7 +1,6 @@
 """Reading of single values, plain results, and messages that never turn into other exceptions."""
 
 import copy
-import inspect
 import random
 from collections import OrderedDict
 from pathlib import Path
@@ -10,10 +9,8 @@ import pytest
 import yaml
 
 from gearwear.config.check import ConfigError, check
-from gearwear.config.messages import span
 from gearwear.config.study import Configuration
-from gearwear.config.text import dotted, figure, listed, shown
-from gearwear.config.types import Section, entry_type, is_section, keys, schema_of, unit_of
+from gearwear.config.types import keys
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -130,35 +127,26 @@ def test_rules_between_keys_are_checked_beside_bad_keys(raw):
     assert "\n  cases.with.running_cycles: 2.05e+9 is not a whole multiple" in str(caught.value)
 
 
+def test_a_bad_value_of_several_types_leaves_the_rest_of_its_section_to_the_rules(raw):
+    put(raw, "cases.with.bulk_temperature", float("nan"))
+    put(raw, "cases.with.running_cycles", 2.05e9)
+    with pytest.raises(ConfigError, match="configuration: 2 problems") as caught:
+        check(raw)
+    assert "\n  cases.with.running_cycles: 2.05e+9 is not a whole multiple" in str(caught.value)
+
+
+def test_a_case_that_is_no_section_keeps_its_name(raw):
+    put(raw, "cases.with", 3)
+    with pytest.raises(ConfigError, match="configuration: 1 problem\n  cases.with: 3 is not a section"):
+        check(raw)
+
+
 def test_rules_between_keys_pass_over_values_that_are_bad_themselves(raw):
     put(raw, "wear.cycles_per_update", "abc")
     put(raw, "sweeps.ste.last", "abc")
     put(raw, "heat.initial_temperature", None)
     with pytest.raises(ConfigError, match="configuration: 3 problems"):
         check(raw)
-
-
-def test_every_key_has_a_meaning_and_every_number_a_unit():
-    for path, field in keys(Configuration):
-        described = field.annotation if is_section(field.annotation) else entry_type(field.annotation)
-        assert field.description or inspect.getdoc(described) != Section.__doc__, path
-        schema = str(schema_of(field))
-        if ("'number'" in schema or "'integer'" in schema) and "properties" not in schema:
-            assert unit_of(field), path
-
-
-def test_the_meaning_of_a_choice_tells_every_option():
-    for path, field in keys(Configuration):
-        if "Literal" in str(field.annotation):
-            options = [option for option in str(field.annotation).split("'")[1::2]]
-            told = [field.description.find(f"{option} = ") for option in options]
-            if path[-1] != "harmonics":
-                assert -1 not in told and told == sorted(told), path
-
-
-def test_no_model_has_a_default_beside_the_configuration_file():
-    """A study is written anew by whoever declares it, so its entries may be left out."""
-    assert all(field.is_required() for path, field in keys(Configuration) if path[0] != "studies" or len(path) < 2)
 
 
 def test_no_input_raises_anything_but_a_configuration_error(raw):
@@ -215,29 +203,3 @@ def test_no_input_raises_anything_but_a_configuration_error(raw):
                 assert head.startswith("configuration: ") and lines
                 assert all(line.startswith("  ") for line in lines), error
     assert refused > 700
-
-
-@pytest.mark.parametrize(
-    ("value", "words"),
-    [
-        (0.3, "0.3"),
-        (240, "240"),
-        (2_100_000_000, "2.1e+9"),
-        (1e-20, "1.0e-20"),
-        (-6.5e-5, "-6.5e-5"),
-        (0, "0"),
-    ],
-)
-def test_figures_are_written_as_in_the_configuration_file(value, words):
-    assert figure(value) == words
-    assert float(words) == value
-
-
-def test_words():
-    assert listed(["a", "b", "c"]) == "a, b and c"
-    assert listed(["a"]) == "a" and listed([]) == ""
-    assert dotted(("portraits", "ste", "with", "[3]")) == "portraits.ste.with[3]"
-    assert dotted(("cases", "a\nb")) == "cases.(text 'a\\nb')"
-    assert shown("x" * 100) == "text '" + "x" * 40 + "...'"
-    assert span({"exclusiveMinimum": 0, "maximum": 2.5}) == "above 0 up to 2.5"
-    assert span({"minimum": 0, "exclusiveMaximum": 1}) == "from 0 to below 1"

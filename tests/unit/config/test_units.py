@@ -5,6 +5,8 @@ from decimal import Decimal
 
 import pytest
 
+from gearwear.config.study import Configuration
+from gearwear.config.types import keys, unit_of
 from gearwear.config.units import UnitError, example, plain
 
 # unit of the key: prefixed unit and its power of ten
@@ -45,6 +47,14 @@ def test_a_prefix_moves_the_decimal_point_and_changes_no_bit(unit):
         ("36 delta_degF", "K", 20.0),
         ("100 rad/s", "rpm", 954.929658551372),
         ("0.5 rad", "deg", 28.64788975654116),
+        ("3 rev/min", "rpm", 3.0),
+        ("100 cP", "Pa s", 0.1),
+        ("30 psi", "Pa", 206842.71879505084),
+        ("4 lbf ft", "N m", 5.423271793325601),
+        ("0.46 kJ/(kg K)", "J/(kg K)", 460.0),
+        ("0.284 lb/in3", "kg/m3", 7861.0929376976865),
+        ("2 1/(m2 N^-1)", "N/m2", 2.0),
+        ("1.5 L", "m3", 1.5e-3),
         ("1/4 m", "m", "1/4 m"),
         ("1e-3", "m", "1e-3"),
         ("3 mm", "1", "3 mm"),
@@ -69,6 +79,12 @@ def test_a_value_in_the_unit_of_its_key(text, unit, value):
         ("20 degC", "K", "is a temperature, and this is a difference"),
         ("20 delta_degC", "degC", "is a difference of temperatures, and this is a temperature"),
         ("100 C", "degC", "does not convert to degC"),
+        ("20 degC", "m", "does not convert to m"),
+        ("3 m//s", "m", "unknown unit"),
+        ("3 m/", "m", "unknown unit"),
+        ("3 m (s", "m", "unknown unit"),
+        ("3 m)", "m", "unknown unit"),
+        ("3 kin", "m", "unknown unit"),
         ("1 mm**9**9", "m", "unknown unit"),
         ("1 mm^99999", "m", "unknown unit"),
         ("1e999999999 mm", "m", "no number of a usable size"),
@@ -78,6 +94,12 @@ def test_a_value_in_the_unit_of_its_key(text, unit, value):
 def test_a_unit_that_does_not_fit(text, unit, reason):
     with pytest.raises(UnitError, match=reason):
         plain(text, unit)
+
+
+def test_the_unit_of_every_key_is_known():
+    for path, field in keys(Configuration):
+        unit = unit_of(field)
+        assert unit in (None, "1") or plain(f"2.5 {unit}", unit) == 2.5, path
 
 
 def test_every_example_fits_its_unit():
