@@ -24,9 +24,9 @@ if workflow.is_main_process and targets.asked(sys.argv[1:], "help"):
 # Another configuration in a folder of its own, so that it works beside any other run.
 if workflow.is_main_process and targets.asked(sys.argv[1:], "smoke"):
     words = ["all" if word == "smoke" else word for word in sys.argv[1:]]
-    overlay = [HERE / "config" / "config.yaml", HERE / "config" / "smoke.yaml"]
-    command = [sys.executable, "-m", "snakemake", *words, "--snakefile", HERE / "Snakefile"]
-    os.execv(sys.executable, [*command, "--directory", "smoke", "--configfile", *overlay])
+    own = ["--snakefile", HERE / "Snakefile", "--directory", "smoke"]
+    own += ["--configfile", HERE / "config/config.yaml", HERE / "config/smoke.yaml"]
+    os.execv(sys.executable, [sys.executable, "-m", "snakemake", *words, *own])
 
 
 configfile: HERE / "config" / "config.yaml"

@@ -153,7 +153,8 @@ def submitter(slurm, tmp_path_factory):
     folder = tmp_path_factory.mktemp("submitter")
     subprocess.run([sys.executable, "-m", "venv", folder], check=True)
     (layer,) = folder.glob("lib/python*/site-packages")
-    (layer / "below.pth").write_text("\n".join(path for path in sys.path if path.endswith("site-packages")) + "\n")
+    below = [path for path in sys.path if path.endswith("site-packages")]
+    (layer / "below.pth").write_text("\n".join([*below, str(ROOT / "src")]) + "\n")
     lock = ROOT / "profiles" / "slurm" / "requirements.lock"
     pip = [folder / "bin" / "python", "-m", "pip", "install", "-q", "--disable-pip-version-check"]
     done = subprocess.run([*pip, "--require-hashes", "-r", lock], capture_output=True, text=True, check=False)

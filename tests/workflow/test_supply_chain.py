@@ -29,7 +29,10 @@ RUNS = {
     "import_module",
 }
 FUNCTIONS_OF_OTHERS = {"re.compile"}  # of patterns
-EXCEPTIONS = {"src/gearwear/run/orphans.py": ["ctypes"]}  # asks the kernel to end a job with its workflow
+# Modules of this package that are looked up in its own tables.
+LOOKED_UP = ("__init__.py", "io/variables.py", "run/stage.py", "run/stages.py")
+EXCEPTIONS = {f"src/gearwear/{name}": ["import_module"] for name in LOOKED_UP}
+EXCEPTIONS["src/gearwear/run/orphans.py"] = ["ctypes"]  # asks the kernel to end a job with its workflow
 LOADERS = {"load", "load_all", "unsafe_load", "full_load", "Loader", "UnsafeLoader", "FullLoader"}
 
 
