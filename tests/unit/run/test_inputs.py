@@ -1,4 +1,4 @@
-"""Files of another configuration, of other files, of another place and on other grids are told from those of the run."""
+"""Files of other settings, other files, another place or on other grids are told from those of the run."""
 
 import numpy as np
 import pytest
@@ -73,9 +73,19 @@ def test_a_file_of_other_wear_is_named(state):
 def test_a_result_made_of_another_stiffness_is_named(state):
     motion = at("with/response/q001.nc", "response", {"mesh_stiffness": state["mesh_stiffness"][1]})
     check(**state, response=motion)
-    path, dataset = state["mesh_stiffness"]
-    state["mesh_stiffness"] = path, result(path, "mesh_excitation", {"wear": state["wear"][1]}, code="other")
-    refused(f"{motion[0]}: made of another file than {path}", **state, response=motion)
+    path = state["mesh_stiffness"][0]
+    other = path, result(path, "mesh_excitation", {"wear": state["wear"][1]}, code="other")
+    refused(f"{motion[0]}: made of another file than {path}", mesh_stiffness=other, response=motion)
+
+
+@pytest.mark.parametrize(
+    ("name", "beside"),
+    [("backlash", "with/mesh_stiffness/q001.nc"), ("reference_error", "without/mesh_stiffness/q000.nc")],
+)
+def test_excitations_of_two_makings_are_named(state, name, beside):
+    path, dataset = state[name]
+    state[name] = path, result(path, "mesh_excitation", {"geometry": state["geometry"][1]}, code="other")
+    refused(f"{path}: not made together with results/{beside}", **state)
 
 
 def test_branches_of_another_excitation_are_named():
@@ -129,7 +139,9 @@ def test_other_settings_are_named(name, config, words):
 
 
 def test_members_have_settings_of_their_own():
-    check({"grid": {"mesh_cells": 32}}, it=at("studies/heat/t120/geometry.nc", "g", config={"grid": {"mesh_cells": 80}}))
+    check(
+        {"grid": {"mesh_cells": 32}}, it=at("studies/heat/t120/geometry.nc", "g", config={"grid": {"mesh_cells": 80}})
+    )
 
 
 def test_parts_of_two_makings_are_named():
