@@ -96,8 +96,9 @@ def test_saving_leaves_the_dataset_of_the_caller_as_it_was(tmp_path):
 
 
 def test_same_settings_give_the_same_bytes(tmp_path):
-    paths = [tmp_path / name for name in ("one.nc", "two.nc")]
+    paths = [tmp_path / name / "q000.nc" for name in ("one", "two")]
     for path in paths:
+        path.parent.mkdir()
         store.save(flanks(1e-6), path, origin())
     assert paths[0].read_bytes() == paths[1].read_bytes()
 
