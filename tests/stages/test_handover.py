@@ -8,10 +8,10 @@ from types import SimpleNamespace
 import numpy as np
 import pandas as pd
 import pytest
-
 import write_handover
 from gather_handover import PARTS
 from gather_handover import main as gather
+
 from gearwear.config.slices import slice_of
 from gearwear.io import store
 

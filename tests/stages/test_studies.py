@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from gearwear.chain.geometry import geometry
-from gearwear.chain.history import record, state_at
-from gearwear.chain.history import last_state
+from gearwear.chain.history import last_state, record, state_at
 from gearwear.config.histories import chains
 from gearwear.config.slices import slice_of
 from gearwear.figures import study_panels

@@ -4,9 +4,9 @@ import csv
 from pathlib import Path
 from types import SimpleNamespace
 
+import list_warnings
 import pytest
 
-import list_warnings
 from gearwear.config.slices import slice_of
 
 ROOT = Path(__file__).resolve().parents[2]
