@@ -13,6 +13,7 @@ from gearwear.chain import deformation, geometry, mesh, response, temperature, w
 from gearwear.config import check
 from gearwear.config.members import merged
 from gearwear.config.slices import slice_of
+from gearwear.stages import motion
 
 ROOT = Path(__file__).resolve().parents[2]
 CHAIN = {
@@ -27,6 +28,7 @@ CHAIN = {
     "mesh_excitation": mesh.mesh_excitation,
     "response": response.response,
     "wear": wear.wear,
+    "excitation": motion.excitation,
 }
 SLICES = {"flash_growth": "deformation"} | dict.fromkeys(
     ("mesh_stiffness", "transmission_error", "backlash"), "mesh_excitation"
