@@ -1,48 +1,43 @@
-"""Stage scripts run on a coarse grid in a temporary folder, without the workflow."""
+"""States of the pair of the preset `benchmark` on a coarse grid, stage by stage in one process."""
 
 import copy
-import importlib
+from inspect import signature
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import xarray as xr
 import yaml
 
+from gearwear.chain import deformation, geometry, mesh, response, temperature, wear
 from gearwear.config import check
 from gearwear.config.members import merged
 from gearwear.config.slices import slice_of
-from gearwear.io import store
+from gearwear.stages import motion
 
 ROOT = Path(__file__).resolve().parents[2]
-
-MESH = ("geometry", "mesh_stiffness", "transmission_error", "backlash", "reference_stiffness", "reference_error")
-
-# stage: script and named inputs
-STAGES = {
-    "geometry": ("build_geometry", ()),
-    "temperature": ("heat_contact", ("geometry",)),
-    "deformation": ("grow_flanks", ("geometry", "temperature")),
-    "start_wear": ("start_wear", ("geometry",)),
-    "mesh_stiffness": ("build_stiffness", ("geometry", "deformation", "wear")),
-    "transmission_error": ("share_load", ("geometry", "deformation", "wear", "mesh_stiffness")),
-    "backlash": ("open_backlash", ("geometry", "deformation", "wear", "transmission_error")),
-    "response": ("solve_response", MESH),
-    "excitation": ("build_excitation", MESH),
-    "advance_wear": ("advance_wear", ("geometry", "wear", "mesh_stiffness", "transmission_error", "response")),
+CHAIN = {
+    "geometry": geometry.geometry,
+    "temperature": temperature.temperature,
+    "deformation": deformation.deformation,
+    "flash_growth": deformation.flash_growth,
+    "unworn": wear.unworn,
+    "mesh_stiffness": mesh.mesh_stiffness,
+    "transmission_error": mesh.transmission_error,
+    "backlash": mesh.backlash,
+    "mesh_excitation": mesh.mesh_excitation,
+    "response": response.response,
+    "wear": wear.wear,
+    "excitation": motion.excitation,
 }
-
-
-class Inputs(dict):
-    """Named input files, by attribute and as items, as a job has them."""
-
-    __getattr__ = dict.__getitem__
+SLICES = {"flash_growth": "deformation"} | dict.fromkeys(
+    ("mesh_stiffness", "transmission_error", "backlash"), "mesh_excitation"
+)
 
 
 @pytest.fixture(scope="session")
 def study():
-    """Return a function that makes a valid configuration from dotted keys and their values.
+    """Return a function that makes a checked configuration from dotted keys and their values.
 
     The pair is that of the preset `benchmark`: the numbers that the tests expect belong to it.
     """
@@ -62,55 +57,39 @@ def study():
 
 
 @pytest.fixture(scope="session")
-def run_stage(tmp_path_factory):
-    """Return a function that runs one stage and returns its file."""
+def run_stage():
+    """Return a function that calls a stage of the chain with its slice and with what it takes of a state."""
 
-    def run(stage, config, case, files):
-        script, names = STAGES[stage]
-        output = tmp_path_factory.mktemp(stage) / f"{stage}.nc"
-        job = SimpleNamespace(
-            rule=script,
-            input=Inputs({name: str(files[name]) for name in names}),
-            output=[str(output)],
-            params=SimpleNamespace(cfg=slice_of(config, stage, case), code="0123456789abcdef"),
-            log=[str(output.with_suffix(".log"))],
-            wildcards=SimpleNamespace(case=case),
-        )
-        importlib.import_module(script).main(job)
-        return output
+    def run(name, config, case, state):
+        stage = CHAIN[name]
+        available = state | {"cfg": slice_of(config, SLICES.get(name, name), case)}
+        return stage(**{one: available[one] for one in signature(stage).parameters if one in available})
 
     return run
 
 
 @pytest.fixture(scope="session")
 def run_chain(run_stage):
-    """Return a function that runs the stages from geometry to backlash of one state of the flanks.
+    """Return a function that makes a state of the flanks, from the geometry to the backlash.
 
-    Given are the changed files of an earlier state (`files`), which stand instead of the stages that would make them.
+    Datasets of an earlier state stand instead of the stages that would make them.
     """
 
-    def run(config, case, files=None):
-        files = dict(files or {})
-        for stage in ("geometry", "temperature", "deformation", "start_wear", "mesh_stiffness"):
-            name = "wear" if stage == "start_wear" else stage
-            if name not in files:
-                files[name] = run_stage(stage, config, case, files)
-        for stage in ("transmission_error", "backlash"):
-            files[stage] = run_stage(stage, config, case, files)
-        return files
+    def run(config, case, given=None):
+        state = dict(given or {})
+        for name in ("geometry", "temperature", "deformation", "flash_growth"):
+            if name not in state:
+                state[name] = run_stage(name, config, case, state)
+        if "wear" not in state:
+            state["wear"] = run_stage("unworn", config, case, state)
+        return state | run_stage("mesh_excitation", config, case, state)
 
     return run
 
 
 @pytest.fixture(scope="session")
-def loaded():
-    """Return a function that loads one file of a chain by its name."""
-    return lambda files, name: store.load(files[name])
-
-
-@pytest.fixture(scope="session")
 def states(study, run_chain):
-    """Return a function that gives the files of a pristine state of one case of the default study, made once."""
+    """Return a function that gives a pristine state of one case of the default study, made once."""
     made = {}
 
     def of(case):
@@ -123,75 +102,47 @@ def states(study, run_chain):
 
 
 @pytest.fixture(scope="session")
-def write_response(tmp_path_factory):
-    """Return a function that writes a response of given mesh force (N), shape (periods, n), along the path."""
-
-    def write(geometry, force):
-        output = tmp_path_factory.mktemp("response") / "response.nc"
-        values = {"mesh_force_path": (("response_period", "path"), np.atleast_2d(force))}
-        job = SimpleNamespace(
-            rule="solve_response",
-            input={},
-            output=[str(output)],
-            params=SimpleNamespace(cfg={}, code="0" * 16),
-        )
-        store.save(xr.Dataset(values, {"path": geometry["path"]}), job)
-        return output
-
-    return write
+def with_reference(states):
+    """Return a function that adds the mesh of the pristine reference case to a state."""
+    cold = states("without")
+    reference = {"reference_stiffness": cold["mesh_stiffness"], "reference_error": cold["transmission_error"]}
+    return lambda state: state | reference
 
 
 @pytest.fixture(scope="session")
-def write_wear(tmp_path_factory):
-    """Return a function that writes a wear file with given depths (m), shape (2, n)."""
-
-    def write(geometry, depth):
-        output = tmp_path_factory.mktemp("wear") / "wear.nc"
-        along = ("gear", "path")
-        values = {"wear_depth": (along, depth), "wear_per_revolution": (along, 0 * depth), "running_cycles": 1e8}
-        job = SimpleNamespace(
-            rule="advance_wear", input={}, output=[str(output)], params=SimpleNamespace(cfg={}, code="0" * 16)
-        )
-        store.save(xr.Dataset(values, {"path": geometry["path"], "gear": geometry["gear"]}), job)
-        return output
-
-    return write
-
-
-@pytest.fixture(scope="session")
-def worn(states, write_wear, loaded):
-    """Return a function that gives the files of a case whose flanks are worn like a run-in pair, up to 10 um."""
+def worn(states):
+    """Return a function that gives a state of a case whose flanks are worn like a run-in pair, up to 10 um."""
 
     def of(case):
-        files = states(case)
-        geometry = loaded(files, "geometry")
-        path, pitch = geometry["path"].values, float(geometry["pitch_point"])
+        state = states(case)
+        pair = state["geometry"]
+        path, pitch = pair["path"].values, float(pair["pitch_point"])
         shape = 10e-6 * abs(path - pitch) / (pitch - path[0])
-        files["wear"] = write_wear(geometry, np.stack([shape * np.where(path < pitch, 1.0, 0.3), 0.2 * shape]))
-        return files
+        depth = np.stack([shape * np.where(path < pitch, 1.0, 0.3), 0.2 * shape])
+        return state | {"wear": state["wear"].assign(wear_depth=(("gear", "path"), depth), running_cycles=1e8)}
 
     return of
 
 
 @pytest.fixture(scope="session")
 def rerun(study, run_stage):
-    """Return a function that runs one stage on the given files under changed settings."""
+    """Return a function that runs one stage on a state under changed settings."""
 
-    def run(stage, case, files, **changes):
-        changed = {name.replace("__", "."): value for name, value in changes.items()}
-        return store.load(run_stage(stage, study(changed), case, files))
+    def run(stage, case, state, **changes):
+        return run_stage(stage, study({name.replace("__", "."): value for name, value in changes.items()}), case, state)
 
     return run
 
 
-@pytest.fixture
-def advance(rerun, write_response, loaded):
+@pytest.fixture(scope="session")
+def advance(rerun):
     """Return a function that wears the flanks by one block under a given mesh force; default the static one."""
 
-    def run(files, case="with", force=None, **changes):
-        geometry = loaded(files, "geometry")
+    def run(state, case="with", force=None, **changes):
+        pair = state["geometry"]
         if force is None:
-            force = np.full(geometry.sizes["path"], 130.0 / float(geometry["base_radius"][0]))
-        return rerun("advance_wear", case, files | {"response": write_response(geometry, force)}, **changes)
+            force = np.full(pair.sizes["path"], 130.0 / float(pair["base_radius"][0]))
+        along = {"mesh_force_path": (("response_period", "path"), np.atleast_2d(force))}
+        return rerun("wear", case, state | {"response": xr.Dataset(along)}, **changes)
 
     return run

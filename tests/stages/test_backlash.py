@@ -4,47 +4,47 @@ import numpy as np
 import pytest
 
 
-def test_moved_shafts_and_a_hot_housing_open_the_gap(states, loaded, rerun):
-    files = states("with")
-    near = loaded(files, "backlash")
-    moved = rerun("backlash", "with", files, backlash__centre_distance_change=50e-6)
+def test_moved_shafts_and_a_hot_housing_open_the_gap(states, rerun):
+    state = states("with")
+    near = state["backlash"]
+    moved = rerun("backlash", "with", state, backlash__centre_distance_change=50e-6)
     assert float(moved["centre_distance_change"]) == 50e-6
     first_order = 50e-6 * np.sin(np.radians(20.0))
     opened = moved["backlash_path"].values - near["backlash_path"].values
     assert opened == pytest.approx(np.full(len(opened), first_order), rel=1e-2)
-    hot = rerun("backlash", "with", files, backlash__housing__temperature_rise=0.75, heat__growth="eulerian")
-    centre_distance = float(loaded(files, "geometry")["centre_distance"])
+    hot = rerun("backlash", "with", state, backlash__housing__temperature_rise=0.75, heat__growth="eulerian")
+    centre_distance = float(state["geometry"]["centre_distance"])
     assert float(hot["centre_distance_change"]) == pytest.approx(2.3e-5 * 60 * centre_distance, rel=1e-12)
     assert (hot["backlash_path"].values > near["backlash_path"].values + 20e-6).all()
 
 
 @pytest.mark.parametrize(("projection", "factor"), [("shi", np.cos(np.radians(40.0))), ("exact", 1.0)])
-def test_backlash_of_the_worn_hot_pair(worn, loaded, rerun, projection, factor):
-    files = worn("with")
-    gap = rerun("backlash", "with", files, backlash__projection=projection)
-    deflection = loaded(files, "transmission_error")["elastic_deflection"].values
-    wear = loaded(files, "wear")["wear_depth"].values.sum(axis=0)
-    growth = loaded(files, "deformation")["thermal_growth"].values.sum(axis=0)
+def test_backlash_of_the_worn_hot_pair(worn, rerun, projection, factor):
+    state = worn("with")
+    gap = rerun("backlash", "with", state, backlash__projection=projection)
+    deflection = state["transmission_error"]["elastic_deflection"].values
+    wear = state["wear"]["wear_depth"].values.sum(axis=0)
+    growth = state["deformation"]["thermal_growth"].values.sum(axis=0)
     assert gap["backlash_path"].values == pytest.approx(
         65e-6 + factor * (deflection + wear - 2 * growth) / 2, rel=1e-12, abs=0
     )
-    entering = loaded(files, "geometry")["entering"].values
+    entering = state["geometry"]["entering"].values
     assert np.array_equal(gap["backlash"].values, gap["backlash_path"].values[entering])
 
 
-def test_heat_closes_and_wear_opens_the_gap(states, worn, loaded, rerun):
-    cold, hot = (loaded(states(case), "backlash")["backlash_path"].values for case in ("without", "with"))
+def test_heat_closes_and_wear_opens_the_gap(states, worn, rerun):
+    cold, hot = (states(case)["backlash"]["backlash_path"].values for case in ("without", "with"))
     assert (cold > 65e-6).all()
     assert (hot < cold - 3e-6).all()
     assert hot.min() < 65e-6
     assert (rerun("backlash", "without", worn("without"))["backlash_path"].values >= cold).all()
 
 
-def test_initial_gap_shifts_all(states, loaded, rerun):
-    files = states("with")
-    wide = rerun("backlash", "with", files, backlash__half_backlash=80e-6)
+def test_initial_gap_shifts_all(states, rerun):
+    state = states("with")
+    wide = rerun("backlash", "with", state, backlash__half_backlash=80e-6)
     assert float(wide["initial_half_backlash"]) == 80e-6
-    assert wide["backlash_path"].values - loaded(files, "backlash")["backlash_path"].values == pytest.approx(
+    assert wide["backlash_path"].values - state["backlash"]["backlash_path"].values == pytest.approx(
         np.full(wide.sizes["path"], 15e-6), rel=1e-9, abs=0
     )
 

@@ -2,63 +2,52 @@
 
 import csv
 import importlib.util
+from inspect import signature
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pandas as pd
 import pytest
 
-import write_handover
-from gather_handover import PARTS
-from gather_handover import main as gather
 from gearwear.config.slices import slice_of
 from gearwear.io import store
+from gearwear.io.tables import write_csv
+from gearwear.stages.handover import handover_dataset, handover_tables
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 TABLES = {"mesh": 2 * 40, "wear": None, "states": 2, "gears": 2}
 
 
-class Files(dict):
-    """Named files, as a job has them, the first also by its place."""
-
-    __getattr__ = dict.__getitem__
-
-    def __getitem__(self, name):
-        return next(iter(self.values())) if name == 0 else super().__getitem__(name)
-
-
 @pytest.fixture(scope="module", params=["nominal", "effective"])
-def cycles(request, study, states, run_stage):
-    """Settings and files of two wear cycles of a case, the second worn by the first."""
+def cycles(request, study, states, with_reference, run_stage):
+    """Settings and states of two wear cycles of a case, the second worn by the first."""
     config = study({"dynamics.stiffness": request.param})
-    cold = states("without")
-    reference = {f"reference_{name}": cold[stage] for name, stage in REFERENCE.items()}
-    files = states("with") | reference
-    files["response"] = run_stage("response", config, "with", files)
-    worn = files | {"wear": run_stage("advance_wear", config, "with", files)}
-    for stage in ("mesh_stiffness", "transmission_error", "backlash", "response"):
-        worn[stage] = run_stage(stage, config, "with", worn)
-    return config, [files, worn]
-
-
-REFERENCE = {"stiffness": "mesh_stiffness", "error": "transmission_error"}
+    first = with_reference(states("with"))
+    first["response"] = run_stage("response", config, "with", first)
+    second = first | {"wear": run_stage("wear", config, "with", first)}
+    second |= run_stage("mesh_excitation", config, "with", second)
+    second["response"] = run_stage("response", config, "with", second)
+    return config, [first, second]
 
 
 @pytest.fixture(scope="module")
-def handed(cycles, tmp_path_factory):
+def found(cycles):
+    """Return the dataset that is handed over."""
+    config, states = cycles
+    parts = [name for name in signature(handover_dataset).parameters if name not in ("cfg", "geometry")]
+    several = {part: [one[part] for one in states] for part in parts}
+    return handover_dataset(slice_of(config, "handover_dataset", "with"), states[0]["geometry"], **several)
+
+
+@pytest.fixture(scope="module")
+def handed(found, tmp_path_factory):
     """Return the folder of what is handed over."""
-    config, files = cycles
     folder = tmp_path_factory.mktemp("handover")
-    job = SimpleNamespace(
-        rule="gather_handover",
-        input=Files({"geometry": files[0]["geometry"]} | {part: [one[part] for one in files] for part in PARTS}),
-        output=[str(folder / "handover.nc")],
-        params=SimpleNamespace(cfg=slice_of(config, "handover", "with"), code="0123456789abcdef"),
-    )
-    gather(job)
-    tables = Files({name: str(folder / f"{name}.csv") for name in (*TABLES, "dictionary")})
-    write_handover.main(SimpleNamespace(input=SimpleNamespace(dataset=job.output[0]), output=tables))
+    store.save(found, folder / "handover.nc", store.Origin("handover_dataset", {}, ""))
+    tables = handover_tables(store.load(folder / "handover.nc"))
+    assert set(tables) == {*TABLES, "dictionary"}
+    for name, table in tables.items():
+        write_csv(folder / f"{name}.csv", *table)
     return folder
 
 
@@ -71,9 +60,8 @@ def example(name, package):
     return module
 
 
-def test_every_cycle_is_that_of_its_stage(cycles, handed):
-    found = store.load(handed / "handover.nc")
-    for cycle, files in enumerate(cycles[1]):
+def test_every_cycle_is_that_of_its_stage(cycles, found):
+    for cycle, made in enumerate(cycles[1]):
         state = found.sel(wear_cycle=cycle)
         for part, names in {
             "wear": ("wear_depth", "running_cycles"),
@@ -83,20 +71,18 @@ def test_every_cycle_is_that_of_its_stage(cycles, handed):
             "response": ("natural_frequency", "mean_force"),
         }.items():
             for name in names:
-                assert np.array_equal(state[name], store.load(files[part])[name]), (cycle, name)
+                assert np.array_equal(state[name], made[part][name]), (cycle, name)
     assert (np.diff(found["running_cycles"]) > 0).all() and (found["wear_depth"][1] > 0).any()
 
 
-def test_time_runs_at_the_running_speed_and_the_mean_stiffness_gives_the_natural_frequency(cycles, handed):
-    found = store.load(handed / "handover.nc")
+def test_time_runs_at_the_running_speed_and_the_mean_stiffness_gives_the_natural_frequency(cycles, found):
     period = 60 / cycles[0]["operation"]["pinion_speed"] / float(found["teeth"][0])
     np.testing.assert_allclose(found["mesh_time"], found["mesh_phase"] * period, rtol=1e-12)
     frequency = np.sqrt(found["mean_stiffness"] / found["equivalent_mass"])
     np.testing.assert_allclose(frequency, found["natural_frequency"], rtol=1e-12)
 
 
-def test_tables_hold_the_dataset_to_the_last_bit(handed):
-    found = store.load(handed / "handover.nc")
+def test_tables_hold_the_dataset_to_the_last_bit(found, handed):
     mesh = pd.read_csv(handed / "mesh.csv", float_precision="round_trip")
     wear = pd.read_csv(handed / "wear.csv", float_precision="round_trip")
     for column, name in {"mesh_stiffness [N m-1]": "mesh_stiffness", "backlash [m]": "backlash"}.items():
@@ -123,16 +109,16 @@ def test_dictionary_has_every_column_with_its_unit(handed):
             assert row["column"].endswith(f" [{row['unit']}]") or row["unit"] in ("1", "-")
 
 
-def test_opentorsion_finds_our_natural_frequency(handed):
+def test_opentorsion_finds_our_natural_frequency(found, handed):
     module = example("opentorsion_gears", "opentorsion")
-    ours = store.load(handed / "handover.nc")["natural_frequency"]
+    ours = found["natural_frequency"]
     for cycle in (0, 1):
         assert module.natural_frequency(handed, cycle) == pytest.approx(float(ours[cycle]), rel=1e-9)
 
 
-def test_ross_finds_our_natural_frequency_less_the_give_of_its_bearings(handed):
+def test_ross_finds_our_natural_frequency_less_the_give_of_its_bearings(found, handed):
     module = example("ross_gears", "ross")
-    found = store.load(handed / "handover.nc").isel(wear_cycle=1)
+    found = found.isel(wear_cycle=1)
     give = float(found["mean_stiffness"]) / module.BEARING
     assert give < 1e-4
     frequency = module.natural_frequency(handed, 1)

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 
-def test_wear_only_has_the_stiffness_of_the_cold_pristine_pair(states, loaded):
+def test_wear_only_has_the_stiffness_of_the_cold_pristine_pair(states):
     for stage, name in (("mesh_stiffness", "mesh_stiffness"), ("transmission_error", "transmission_error")):
-        cold, dry = (loaded(states(case), stage)[name].values for case in ("without", "wear_only"))
+        cold, dry = (states(case)[stage][name].values for case in ("without", "wear_only"))
         assert np.array_equal(cold, dry)
 
 
@@ -28,19 +28,19 @@ def test_heat_lowers_the_stiffness_by_the_modulus_ratio(states, rerun, law, opti
 
 
 def test_calibration_softens_the_hot_steel(states, rerun):
-    files = states("with")
+    state = states("with")
     moduli = [
-        rerun("mesh_stiffness", "with", files, elasticity__calibration=value)["youngs_modulus"].values
+        rerun("mesh_stiffness", "with", state, elasticity__calibration=value)["youngs_modulus"].values
         for value in (0.0, 1.0, 5.3, 10.0)
     ]
     assert (np.diff(moduli, axis=0) < 0).all()
 
 
-def test_tooth_clamped_at_the_root_circle(states, loaded, rerun):
-    files = states("without")
-    base = loaded(files, "mesh_stiffness")
-    root = rerun("mesh_stiffness", "without", files, mesh_stiffness__cantilever="root")
-    geometry = loaded(files, "geometry")
+def test_tooth_clamped_at_the_root_circle(states, rerun):
+    state = states("without")
+    base = state["mesh_stiffness"]
+    root = rerun("mesh_stiffness", "without", state, mesh_stiffness__cantilever="root")
+    geometry = state["geometry"]
     below = geometry["root_radius"].values < geometry["base_radius"].values
     assert below.tolist() == [True, False]
     softer = root["bending_compliance"].values > base["bending_compliance"].values
@@ -49,10 +49,10 @@ def test_tooth_clamped_at_the_root_circle(states, loaded, rerun):
 
 
 @pytest.mark.parametrize("fillet", ["straight", "generated"])
-def test_fillet_angle_acts_through_the_gear_body_alone(states, loaded, rerun, fillet):
-    files = states("without")
-    geometry, rack = loaded(files, "geometry"), loaded(files, "mesh_stiffness")
-    other = rerun("mesh_stiffness", "without", files, mesh_stiffness__fillet_angle=fillet)
+def test_fillet_angle_acts_through_the_gear_body_alone(states, rerun, fillet):
+    state = states("without")
+    geometry, rack = state["geometry"], state["mesh_stiffness"]
+    other = rerun("mesh_stiffness", "without", state, mesh_stiffness__fillet_angle=fillet)
     assert np.array_equal(rack["bending_compliance"].values, other["bending_compliance"].values)
     wider = geometry["rack_root_angle"].values > geometry[f"{fillet}_root_angle"].values
     stiffer = rack["foundation_compliance"].values < other["foundation_compliance"].values
@@ -60,14 +60,14 @@ def test_fillet_angle_acts_through_the_gear_body_alone(states, loaded, rerun, fi
         assert (stiffer[i] == wider[i]).all()
 
 
-def test_weber_contact_stiffens_with_load(states, loaded, rerun):
-    files = states("without")
+def test_weber_contact_stiffens_with_load(states, rerun):
+    state = states("without")
     light, heavy = (
-        rerun("mesh_stiffness", "without", files, mesh_stiffness__hertz="weber", operation__pinion_torque=torque)
+        rerun("mesh_stiffness", "without", state, mesh_stiffness__hertz="weber", operation__pinion_torque=torque)
         for torque in (60.0, 240.0)
     )
     assert (heavy["mesh_stiffness"].values > light["mesh_stiffness"].values).all()
-    linear = loaded(files, "mesh_stiffness")
+    linear = state["mesh_stiffness"]
     assert np.ptp(linear["hertz_compliance"].values) == 0
     assert (light["mesh_stiffness"].values < linear["mesh_stiffness"].values).all()
 
@@ -95,16 +95,16 @@ def test_growth_stiffens_the_mesh_at_a_given_modulus(states, rerun, mode):
     assert (hot > cold).all()
 
 
-def test_common_foundation_softens_two_pairs_and_leaves_one(states, loaded, rerun):
-    files = states("without")
-    single = loaded(files, "geometry")["leaving"].values < 0
-    plain = loaded(files, "mesh_stiffness")["mesh_stiffness"].values
+def test_common_foundation_softens_two_pairs_and_leaves_one(states, rerun):
+    state = states("without")
+    single = state["geometry"]["leaving"].values < 0
+    plain = state["mesh_stiffness"]["mesh_stiffness"].values
     previous = plain
     for coupling in (0.0, 0.3, 0.8):
         coupled = rerun(
             "mesh_stiffness",
             "without",
-            files,
+            state,
             mesh_stiffness__pairs="coupled",
             mesh_stiffness__foundation_coupling=coupling,
         )["mesh_stiffness"].values

@@ -1,13 +1,10 @@
 """Response, sweeps and figure of a pair on bearings, by the configuration alone."""
 
-import importlib
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 
 from gearwear.config.slices import slice_of
-from gearwear.io import store
+from gearwear.stages.motion import sweep, sweep_part
 
 STIFF, SOFT = 1e12, 3e8
 SHORT = {
@@ -25,9 +22,8 @@ SHORT = {
 
 
 @pytest.fixture(scope="module")
-def files(states):
-    found = states("without")
-    return found | {"reference_stiffness": found["mesh_stiffness"], "reference_error": found["transmission_error"]}
+def state(states, with_reference):
+    return with_reference(states("without"))
 
 
 @pytest.fixture(scope="module")
@@ -47,27 +43,19 @@ def of_model(study):
 
 
 @pytest.fixture(scope="module")
-def swept(files, run_stage, tmp_path_factory):
-    """Return a function that makes the sweep over the mesh frequency, from rest or carried on."""
+def settled(state, run_stage):
+    """Return a function that gives slice, excitation and the part from rest of the sweep over the mesh frequency."""
 
-    def run(config, script, **wildcards):
-        output = tmp_path_factory.mktemp("sweep") / "mesh_frequency.nc"
-        excitation = run_stage("excitation", config, "without", files)
-        job = SimpleNamespace(
-            rule=script,
-            input=SimpleNamespace(excitation=str(excitation), items=lambda: []),
-            output=[str(output)],
-            params=SimpleNamespace(cfg=slice_of(config, "sweep", "without", "mesh_frequency"), code="0" * 16),
-            wildcards=SimpleNamespace(sweep="mesh_frequency", case="without", **wildcards),
-        )
-        importlib.import_module(script).main(job)
-        return store.load(output)
+    def run(config):
+        cfg = slice_of(config, "sweep", "without", "mesh_frequency")
+        source = run_stage("excitation", config, "without", state)
+        return cfg, source, sweep_part(cfg, source, "mesh_frequency", "1-of-1")
 
     return run
 
 
-def test_mass_of_a_gear_is_that_of_its_disc(files, study):
-    geometry, cfg = store.load(files["geometry"]), study()
+def test_mass_of_a_gear_is_that_of_its_disc(state, study):
+    geometry, cfg = state["geometry"], study()
     reference, bore = geometry["reference_radius"].values, geometry["bore_radius"].values
     density = [cfg["material"][gear]["density"] for gear in ("pinion", "gear")]
     volume = np.pi * cfg["gear_pair"]["face_width"] * (reference**2 - bore**2)
@@ -77,23 +65,23 @@ def test_mass_of_a_gear_is_that_of_its_disc(files, study):
     np.testing.assert_allclose(geometry["moment_of_inertia"], inertia, rtol=1e-12)
 
 
-def test_response_on_stiff_bearings_is_that_of_the_torsional_model(files, of_model, run_stage):
+def test_response_on_stiff_bearings_is_that_of_the_torsional_model(state, of_model, run_stage):
     torsional, stiff, soft = (
-        store.load(run_stage("response", of_model(stiffness), "without", files)) for stiffness in (None, STIFF, SOFT)
+        run_stage("response", of_model(stiffness), "without", state) for stiffness in (None, STIFF, SOFT)
     )
     force = torsional["mesh_force"].values
     assert stiff["mesh_force"].values == pytest.approx(force, rel=2e-3, abs=0)
     assert stiff["natural_frequency"] == torsional["natural_frequency"]
     assert np.abs(soft["mesh_force"].values / force - 1).max() > 0.02
     # over a closed orbit neither inertia, bearings nor damping leave a mean
-    width = store.load(files["geometry"])["mesh_phase_width"].values
+    width = state["geometry"]["mesh_phase_width"].values
     assert soft["mesh_force"].values @ width == pytest.approx(float(soft["mean_force"]), rel=2e-3)
 
 
-def test_sweeps_of_both_kinds_hold_the_evidence_of_the_torsional_ones(of_model, swept):
-    torsional = swept(of_model(), "sweep_part", scatteritem="1-of-1")
-    stiff = swept(of_model(STIFF), "sweep_part", scatteritem="1-of-1")
-    soft = swept(of_model(SOFT, across=0.3), "sweep_part", scatteritem="1-of-1")
+def test_sweeps_of_both_kinds_are_classified_as_the_torsional_ones(of_model, settled):
+    _, _, torsional = settled(of_model())
+    _, _, stiff = settled(of_model(STIFF))
+    cfg, source, soft = settled(of_model(SOFT, across=0.3))
     assert set(stiff.variables) == set(torsional.variables)
     np.testing.assert_array_equal(stiff["motion_class"], torsional["motion_class"])
     np.testing.assert_allclose(
@@ -102,11 +90,13 @@ def test_sweeps_of_both_kinds_hold_the_evidence_of_the_torsional_ones(of_model, 
     np.testing.assert_allclose(stiff["force_max"], torsional["force_max"], rtol=2e-3)
     assert np.abs(soft["force_max"] - torsional["force_max"]).max() > 0.02
     assert (soft["motion_class"] > 0).all() and (soft["stable_orbit_period"] > 0).all()
-    carried = swept(of_model(SOFT, across=0.3), "carry_sweep", order="down")
-    np.testing.assert_array_equal(carried["motion_class"], soft["motion_class"])
+    sweeps = sweep(cfg, source, [soft], "mesh_frequency")
+    assert set(sweeps) == {"restart", "up", "down"} and sweeps["restart"].identical(soft)
+    continued = sweeps["down"]
+    np.testing.assert_array_equal(continued["motion_class"], soft["motion_class"])
     # both approach one orbit, and say how far from it they ended
-    away = carried["stable_orbit_distance"].values + soft["stable_orbit_distance"].values
-    apart = carried["section_displacement"].values[:, -1] - soft["section_displacement"].values[:, -1]
+    away = continued["stable_orbit_distance"].values + soft["stable_orbit_distance"].values
+    apart = continued["section_displacement"].values[:, -1] - soft["section_displacement"].values[:, -1]
     assert (np.abs(apart) <= away).all() and away.max() < 1e-3
 
 

@@ -1,53 +1,40 @@
-"""The table of warnings, from the files of a chain."""
+"""The table of warnings, from the states of a chain."""
 
-import csv
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 
-import list_warnings
 from gearwear.config.slices import slice_of
+from gearwear.stages.evaluation import warnings
 
-ROOT = Path(__file__).resolve().parents[2]
-
-
-class Inputs(dict):
-    """Named input files, by attribute and as items, as a job has them."""
-
-    __getattr__ = dict.__getitem__
+TEMPLATE = Path(__file__).resolve().parents[2] / "workflow" / "report" / "table.html.j2"
 
 
 @pytest.fixture(scope="module")
-def listed(study, run_chain, run_stage, tmp_path_factory):
+def listed(study, run_chain, run_stage):
     """Return a function that makes the chain of case `with` up to its first wear cycle and lists its warnings."""
 
     def make(changes):
-        config, folder = study(changes), tmp_path_factory.mktemp("warnings")
-        files = run_chain(config, "with")
-        files |= {"reference_stiffness": files["mesh_stiffness"], "reference_error": files["transmission_error"]}
-        files["response"] = run_stage("response", config, "with", files)
-        worn = run_stage("advance_wear", config, "with", files)
-        job = SimpleNamespace(
-            input=Inputs(
-                geometry=files["geometry"],
-                template=str(ROOT / "workflow" / "report" / "table.html.j2"),
-                temperature=[files["temperature"]],
-                transmission_error=[files["transmission_error"]],
-                wear=[worn],
-                response=[files["response"]] * 2,
-            ),
-            output=SimpleNamespace(csv=str(folder / "warnings.csv"), html=str(folder / "warnings.html")),
-            params=SimpleNamespace(cfg={"cases": {"with": 1}, **slice_of(config, "warnings")}),
+        config = study(changes)
+        state = run_chain(config, "with")
+        state |= {"reference_stiffness": state["mesh_stiffness"], "reference_error": state["transmission_error"]}
+        state["response"] = run_stage("response", config, "with", state)
+        made = warnings(
+            {"cases": {"with": 1}, **slice_of(config, "warnings")},
+            state["geometry"],
+            [state["temperature"]],
+            [state["transmission_error"]],
+            [run_stage("wear", config, "with", state)],
+            [state["response"]] * 2,
+            TEMPLATE,
         )
-        list_warnings.main(job)
-        with open(job.output.csv, newline="", encoding="utf-8") as file:
-            return list(csv.DictReader(file))
+        assert made["html"].count("<tr>") == len(made["csv"].rows) + 1
+        return [dict(zip(made["csv"].columns, row, strict=True)) for row in made["csv"].rows]
 
     return make
 
 
-def test_a_thick_bored_heavily_loaded_pair_is_named_and_the_run_goes_on(listed, capsys):
+def test_a_thick_bored_heavily_loaded_pair_is_named_and_the_run_goes_on(listed):
     rows = listed(
         {
             "gear_pair.bore_radius": {"pinion": 24e-3, "gear": 55e-3},

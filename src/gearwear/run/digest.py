@@ -83,15 +83,26 @@ def reached(targets: Iterable[str], package: Path = PACKAGE) -> set[tuple[Symbol
         if symbol in seen:
             continue
         seen.add(symbol)
-        module, name = symbol
-        source = _source(module, package)
-        todo.append((module, _AT_IMPORT))
-        if name == _AT_IMPORT:
-            todo += [(other, _AT_IMPORT) for other in source.imported()]
-        for statement in source.statements(name):
-            found.add((symbol, _code(statement)))
-            todo += source.references(statement)
+        codes, symbols = _definition(symbol, package)
+        found.update((symbol, code) for code in codes)
+        todo += symbols
     return found
+
+
+@cache
+def _definition(symbol: Symbol, package: Path) -> tuple[list[str], set[Symbol]]:
+    """Return the code of the statements that define a symbol, and the symbols behind it."""
+    module, name = symbol
+    source, inner = _source(module, package), ".".join(filter(None, symbol))
+    statements = source.statements(name)
+    symbols = {(module, _AT_IMPORT)} | {other for statement in statements for other in source.references(statement)}
+    if name == _AT_IMPORT:
+        symbols |= {(other, _AT_IMPORT) for other in source.imported()}
+    elif name in source.names:  # imported from elsewhere
+        symbols.add(source.names[name])
+    elif not statements and _file(inner, package):
+        symbols.add((inner, _WHOLE))
+    return [_code(statement) for statement in statements], symbols
 
 
 @cache
@@ -112,12 +123,12 @@ class _Source:
     def __init__(self, module: str, package: Path):
         self.module, self._package = module, package
         self._defined: dict[str, list[ast.stmt]] = {_AT_IMPORT: []}
-        self._imported: dict[str, Symbol] = {}
+        self.names: dict[str, Symbol] = {}
         file = _file(module, package)
         for statement in ast.parse(file.read_bytes()).body if file else ():
             if isinstance(statement, ast.Import | ast.ImportFrom):
-                self._imported |= self._names_of(statement)
-            elif not _for_type_checkers(statement) and not _is_docstring(statement):
+                self.names |= self._names_of(statement)
+            elif not _never_runs(statement) and not _is_docstring(statement):
                 for name in _bound(statement) or (_AT_IMPORT,):
                     self._defined.setdefault(name, []).append(statement)
 
@@ -130,31 +141,33 @@ class _Source:
     def imported(self) -> set[str]:
         """Return the modules that are imported with this one, the packages around it included."""
         around = self.module.split(".")[:-1]
-        packages = {".".join(around[:depth]) for depth in range(1, len(around) + 1)}
-        return packages | {self._module_of(symbol) for symbol in self._imported.values()}
+        packages = {".".join(around[:depth]) for depth in range(len(around) + 1)}
+        return packages | {self._module_of(symbol) for symbol in self.names.values()}
 
     def references(self, statement: ast.stmt) -> Iterator[Symbol]:
         """Yield the symbols of the package that a statement names."""
         nodes = list(ast.walk(statement))
-        known = dict(self._imported)
+        known = dict(self.names)
         for node in nodes:
             if isinstance(node, ast.Import | ast.ImportFrom):
                 inside = self._names_of(node)
                 known |= inside
                 yield from ((self._module_of(symbol), _AT_IMPORT) for symbol in inside.values())
-        ignored = {id(node) for part in nodes for hint in _hints(part) for node in ast.walk(hint)}
+        ignored = {id(inner) for node in nodes for inner in _own(node)}
         attribute = {
             id(node.value): node.attr
             for node in nodes
             if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)
         }
         for node in nodes:
-            if isinstance(node, ast.Name) and id(node) not in ignored:
-                module, name = known.get(node.id, (self.module, node.id))
-                inner = f"{module}.{name}"
-                if node.id in known and _file(inner, self._package):
-                    module, name = inner, attribute.get(id(node), _WHOLE)
-                yield module, name
+            if not isinstance(node, ast.Name) or not isinstance(node.ctx, ast.Load) or id(node) in ignored:
+                continue
+            if node.id in known:
+                inner = ".".join(filter(None, known[node.id]))
+                whole = _file(inner, self._package) is not None
+                yield (inner, attribute.get(id(node), _WHOLE)) if whole else known[node.id]
+            elif node.id in self._defined:
+                yield self.module, node.id
 
     def _names_of(self, statement: ast.Import | ast.ImportFrom) -> dict[str, Symbol]:
         if isinstance(statement, ast.Import) or not (statement.module or "").startswith(self._package.name):
@@ -187,19 +200,24 @@ def _bound(statement: ast.stmt) -> list[str]:
     return []
 
 
-def _hints(node: ast.AST) -> list[ast.expr]:
-    """Return the type hints of a function, which do nothing when it runs."""
-    if isinstance(node, ast.arg):
-        hints = [node.annotation]
-    elif isinstance(node, ast.FunctionDef):
-        hints = [node.returns]
-    else:
-        hints = []
-    return [hint for hint in hints if hint is not None]
+def _own(node: ast.AST) -> Iterator[ast.AST]:
+    """Yield what names nothing of the module in a function: its type hints, and its parameters where it uses them."""
+    if isinstance(node, ast.FunctionDef):
+        several = (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs, node.args.vararg, node.args.kwarg)
+        parameters = {one.arg: one.annotation for one in several if one is not None}
+        for hint in filter(None, (node.returns, *parameters.values())):
+            yield from ast.walk(hint)
+        for statement in node.body:
+            yield from (one for one in ast.walk(statement) if isinstance(one, ast.Name) and one.id in parameters)
 
 
-def _for_type_checkers(statement: ast.stmt) -> bool:
-    return isinstance(statement, ast.If) and ast.unparse(statement.test) in ("TYPE_CHECKING", "typing.TYPE_CHECKING")
+def _never_runs(statement: ast.stmt) -> bool:
+    """Return whether a statement is for type checkers, or for a module that is run as a program."""
+    return isinstance(statement, ast.If) and ast.unparse(statement.test) in (
+        "TYPE_CHECKING",
+        "typing.TYPE_CHECKING",
+        "__name__ == '__main__'",
+    )
 
 
 def _is_docstring(statement: ast.stmt) -> bool:

@@ -17,7 +17,7 @@ from gearwear.io.store import origin_of, result_of
 
 _REMEDY = "delete it and run the workflow again"
 
-# Inputs that describe one state of the flanks; of the reference case, the names that its own files know them by.
+# Inputs that describe one state of the flanks, and those that one job makes together.
 _STATE = (
     "geometry",
     "temperature",
@@ -28,7 +28,7 @@ _STATE = (
     "backlash",
     "excitation",
 )
-_REFERENCE = {"geometry": "geometry", "reference_stiffness": "mesh_stiffness", "reference_error": "transmission_error"}
+_TOGETHER = (("mesh_stiffness", "transmission_error", "backlash"), ("reference_stiffness", "reference_error"))
 _GRIDS = ("path", "mesh_phase")
 
 
@@ -55,8 +55,11 @@ def check(files: Mapping[str, Any], loaded: Mapping[str, Any], config: Mapping[s
             _made_with(path, dataset, config)
             _made_of(path, dataset, _expected(name, dataset, single))
             _on_the_grid_of(path, dataset, single.get("geometry"))
-        if name == "parts":
-            _of_one_making(several)
+    for made in (
+        *([single[name] for name in names if name in single] for names in _TOGETHER),
+        results.get("parts", []),
+    ):
+        _of_one_making(made)
 
 
 def _results(paths: Any, loaded: Any) -> Iterator[tuple[str, xr.Dataset]]:
@@ -90,10 +93,8 @@ def _leaves(settings: Mapping[str, Any], path: tuple[str, ...] = ()) -> Iterator
 
 def _expected(name: str, dataset: xr.Dataset, single: Mapping[str, tuple[str, xr.Dataset]]) -> dict[str, Any]:
     """Return the files read beside a dataset that should be those it was made of."""
-    if name in _REFERENCE and name != "geometry":
-        return {known: single[own] for own, known in _REFERENCE.items() if own in single}
-    # worn flanks are made of the cycle before
-    names = ("geometry",) if dataset.attrs["stage"] == "wear" else _STATE
+    # worn flanks are made of the cycle before, the reference of its own files
+    names = ("geometry",) if dataset.attrs["stage"] == "wear" or name.startswith("reference_") else _STATE
     return {own: single[own] for own in names if own in single}
 
 

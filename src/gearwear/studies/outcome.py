@@ -17,6 +17,7 @@ from gearwear.motions import parameter_map
 from gearwear.motions.settling import Settling, settle
 from gearwear.motions.start import rest_state
 from gearwear.onsets import route_to_chaos
+from gearwear.onsets.route import SWEEP
 from gearwear.oscillator.excitation import Excitation, excitation
 from gearwear.oscillator.periodic import sum_of_harmonics
 
@@ -62,7 +63,7 @@ def outcome(cfg: dict[str, Any], chain: xr.Dataset, update: int) -> xr.Dataset:
     sweeps = {one: route_to_chaos.swept(cfg, source, one) for one in sorted(ORDERS, key=lambda one: one != order)}
     events = route_to_chaos.events(cfg, source, list(sweeps.values()), 1)
     first = excitation(chain, state, reference, cfg["operation"]["pinion_torque"], dynamics | {"harmonics": 1})
-    ratios = sweeps[order][route_to_chaos.route.SWEEP].values
+    ratios = sweeps[order][SWEEP].values
     natural_speed = source.natural_frequency / float(chain["teeth"][0]) * _TO_RPM
     values: dict[str, Any] = {
         name: (("order", "point"), np.stack([sweeps[one][name].values for one in ORDERS])) for name in _COLUMNS
@@ -126,4 +127,4 @@ def _at_running_speed(cfg: dict[str, Any], source: Excitation, pair: xr.Dataset)
 
 def _dataset(values: dict[str, Any], ratios: np.ndarray) -> xr.Dataset:
     names = {"order": ("order", np.array(ORDERS, dtype=object)), "gear": ("gear", np.array(GEARS, dtype=object))}
-    return xr.Dataset(values, {route_to_chaos.route.SWEEP: ("point", ratios)} | names)
+    return xr.Dataset(values, {SWEEP: ("point", ratios)} | names)

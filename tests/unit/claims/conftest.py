@@ -51,13 +51,8 @@ def state(case: str, cycle: int) -> dict:
             },
             {**on_path, "influence": ["friction", "speed", "load"]},
         ),
-        ("deformation", case): xr.Dataset(
-            {
-                "thermal_growth": (("gear", "path"), growth),
-                "thermal_growth_flash": (("gear", "path"), growth / 5),
-            },
-            of_gears,
-        ),
+        ("deformation", case): xr.Dataset({"thermal_growth": (("gear", "path"), growth)}, of_gears),
+        ("flash_growth", case): xr.Dataset({"thermal_growth_flash": (("gear", "path"), growth / 5)}, of_gears),
         ("wear", case, cycle): xr.Dataset({"wear_depth": (("gear", "path"), wear)}, of_gears),
         ("mesh_stiffness", case, cycle): xr.Dataset(
             {"mesh_stiffness": ("mesh_phase", 2e8 * pair_share * loss)}, {"mesh_phase": phase}

@@ -4,7 +4,7 @@ import pytest
 import yaml
 
 from gearwear.claims.scorecard import evaluate, expectation, summary
-from gearwear.io.tables import write_rows
+from gearwear.io.tables import Table, write_csv
 
 DIAGONAL = [("without", 0), ("middle", 1), ("with", 2)]
 ROOT = Path(__file__).parents[3]
@@ -108,9 +108,9 @@ def test_expectation_in_words():
 
 
 def test_written_table_is_the_same_twice_and_readable(results, tmp_path):
-    rows = evaluate({"claims": [numeric(1.047), window(["P1"])]}, results, DIAGONAL)
-    write_rows(rows, tmp_path / "first.csv")
-    write_rows(evaluate({"claims": [numeric(1.047), window(["P1"])]}, results, DIAGONAL), tmp_path / "second.csv")
+    for name in ("first.csv", "second.csv"):
+        rows = evaluate({"claims": [numeric(1.047), window(["P1"])]}, results, DIAGONAL)
+        write_csv(tmp_path / name, *Table.of(rows))
     first = (tmp_path / "first.csv").read_bytes()
     assert first == (tmp_path / "second.csv").read_bytes()
     lines = first.decode().split("\n")

@@ -1,28 +1,25 @@
 """Result files: complete or not at all, described, reproducible, with a lineage of what made them."""
 
+import json
 import os
 from pathlib import Path
-from types import SimpleNamespace
 
 import netCDF4
 import numpy as np
 import pytest
 import xarray as xr
 
+from gearwear import __version__
+from gearwear.errors import BadFile
 from gearwear.io import store
 from gearwear.io.variables import variable_of, variables
 
-
-class Inputs(SimpleNamespace):
-    """Named input files of a job."""
-
-    def items(self):
-        return vars(self).items()
+SETTINGS = {"b": 1.5, "a": {"d": 2, "c": "x"}}
 
 
-def job(output, rule="start_wear", cfg=None, code="aaaa", **inputs):
-    params = SimpleNamespace(cfg=cfg or {"b": 1.5, "a": {"d": 2, "c": "x"}}, code=code)
-    return SimpleNamespace(rule=rule, input=Inputs(**inputs), output=[output], params=params)
+def origin(stage="unworn", config=SETTINGS, code="aaaa", **inputs):
+    """Return what makes a result of these datasets."""
+    return store.Origin(stage, config, code, store.lineages(inputs))
 
 
 def flanks(depth=0.0):
@@ -35,7 +32,7 @@ def flanks(depth=0.0):
 @pytest.fixture
 def saved(tmp_path):
     path = tmp_path / "q000.nc"
-    store.save(flanks(1e-6), job(path))
+    store.save(flanks(1e-6), path, origin())
     return path
 
 
@@ -84,7 +81,7 @@ def test_every_field_has_a_unit_unless_it_is_a_label_or_an_index():
 def test_flags_are_written_with_their_meanings(tmp_path):
     path = tmp_path / "sweep.nc"
     points = xr.Dataset({"motion_class": ("point", np.array([1, 101], dtype=np.int16))}, {"ste": ("point", [0.5, 1.0])})
-    store.save(points, job(path))
+    store.save(points, path, origin())
     found = store.load(path)["motion_class"]
     meanings = dict(zip(found.flag_meanings.split(), found.flag_values.tolist(), strict=True))
     assert (meanings["P1"], meanings["CH"], meanings["not_converged"]) == (1, 101, 0)
@@ -93,15 +90,16 @@ def test_flags_are_written_with_their_meanings(tmp_path):
 def test_saving_leaves_the_dataset_of_the_caller_as_it_was(tmp_path):
     mine = flanks()
     mine["wear_depth"].attrs["note"] = "mine"
-    store.save(mine, job(tmp_path / "q000.nc"))
+    store.save(mine, tmp_path / "q000.nc", origin())
     assert mine.attrs == {}
     assert mine["wear_depth"].attrs == {"note": "mine"}
 
 
 def test_same_settings_give_the_same_bytes(tmp_path):
-    paths = [tmp_path / name for name in ("one.nc", "two.nc")]
+    paths = [tmp_path / name / "q000.nc" for name in ("one", "two")]
     for path in paths:
-        store.save(flanks(1e-6), job(path))
+        path.parent.mkdir()
+        store.save(flanks(1e-6), path, origin())
     assert paths[0].read_bytes() == paths[1].read_bytes()
 
 
@@ -109,33 +107,77 @@ def test_no_time_host_or_folder_is_written(saved):
     content = saved.read_bytes()
     assert os.fsencode(saved.parent) not in content
     assert os.uname().nodename.encode() not in content
-    attributes = {"Conventions", "title", "source", "stage", "config", "code", "inputs", "lineage"}
-    assert set(store.load(saved).attrs) == attributes
+    attributes = {"Conventions", "title", "source", "version", "result"}
+    assert set(store.load(saved).attrs) == attributes | {"stage", "config", "code", "inputs", "lineage"}
+
+
+def test_a_file_tells_its_program_its_stage_and_its_settings(saved):
+    found = store.load(saved)
+    assert (found.attrs["source"], found.attrs["version"]) == ("gearwear", __version__)
+    assert found.attrs["title"] == "unworn of a worn, hot spur gear pair"
+    assert (found.attrs["stage"], found.attrs["code"]) == ("unworn", "aaaa")
+    assert json.loads(found.attrs["config"]) == SETTINGS
+    assert store.origin_of(found) == origin()
+    assert found.attrs["lineage"] == origin().lineage == store.lineage(saved)
+
+
+@pytest.mark.parametrize(
+    ("path", "result"),
+    [
+        ("results/geometry.nc", "geometry.nc"),
+        ("results/with/wear/q003.nc", "with/wear/q003.nc"),
+        ("somewhere/results/studies/heat/t120/with/wear/q003.nc", "studies/heat/t120/with/wear/q003.nc"),
+        ("made/elsewhere/q003.nc", "q003.nc"),
+    ],
+)
+def test_a_file_tells_its_place_below_the_results(tmp_path, path, result):
+    file = tmp_path / path
+    file.parent.mkdir(parents=True)
+    store.save(flanks(), file, origin())
+    assert store.load(file).attrs["result"] == store.result_of(path) == result
+
+
+def test_variables_are_read_alone_with_the_attributes_of_the_file(saved):
+    found, whole = store.load(saved, ["running_cycles"]), store.load(saved)
+    assert set(found.variables) == {"running_cycles"} and found["running_cycles"].item() == 0.0
+    assert found.attrs == whole.attrs
+    depth = store.load(saved, ["wear_depth"])["wear_depth"]
+    assert depth.dims == ("gear", "path") and np.array_equal(depth, whole["wear_depth"])
+
+
+def test_a_single_variable_that_is_not_finite_is_named_and_a_missing_one_too(saved):
+    with netCDF4.Dataset(saved, "a") as file:
+        file["wear_depth"][0, 1] = np.nan
+    assert store.load(saved, ["running_cycles"])
+    with pytest.raises(BadFile, match=r"q000\.nc: wear_depth holds values that are not finite; delete it"):
+        store.load(saved, ["wear_depth"])
+    with pytest.raises(BadFile, match=r"q000\.nc: not a readable netCDF file .*wear_per_revolution"):
+        store.load(saved, ["wear_per_revolution"])
 
 
 def test_a_value_that_is_not_finite_is_not_written(tmp_path):
     path = tmp_path / "q000.nc"
     for bad in (np.nan, np.inf):
         with pytest.raises(ValueError, match="wear_depth: holds values that are not finite"):
-            store.save(flanks(bad), job(path))
+            store.save(flanks(bad), path, origin())
     assert list(tmp_path.iterdir()) == []
 
 
 def test_a_missing_value_is_allowed_where_the_table_says_so(tmp_path):
     path = tmp_path / "sweep.nc"
     points = xr.Dataset({"lyapunov_exponent": ("point", [np.nan, 0.1])}, {"ste": ("point", [0.5, 1.0])})
-    store.save(points, job(path))
+    store.save(points, path, origin())
     assert np.isnan(store.load(path)["lyapunov_exponent"].values).tolist() == [True, False]
 
 
 def test_a_variable_without_an_entry_is_refused(tmp_path):
-    with pytest.raises(ValueError, match="depth_of_wear: no entry"):
-        store.save(flanks().rename(wear_depth="depth_of_wear"), job(tmp_path / "q000.nc"))
+    with pytest.raises(ValueError, match="depth_of_wear: no such variable in the table of variables"):
+        store.save(flanks().rename(wear_depth="depth_of_wear"), tmp_path / "q000.nc", origin())
 
 
 def test_other_dimensions_than_those_of_the_entry_are_refused(tmp_path):
     with pytest.raises(ValueError, match=r"wear_depth: dimensions \('path', 'gear'\)"):
-        store.save(flanks().transpose("path", "gear"), job(tmp_path / "q000.nc"))
+        store.save(flanks().transpose("path", "gear"), tmp_path / "q000.nc", origin())
     assert list(tmp_path.iterdir()) == []
 
 
@@ -153,7 +195,7 @@ def test_a_write_that_fails_leaves_nothing(tmp_path, monkeypatch):
 
     monkeypatch.setattr(xr.Dataset, "to_netcdf", break_off)
     with pytest.raises(OSError, match="disk full"):
-        store.save(flanks(), job(path))
+        store.save(flanks(), path, origin())
     assert list(tmp_path.iterdir()) == []
 
 
@@ -166,7 +208,7 @@ def test_a_write_that_fails_leaves_the_file_before_it(saved, monkeypatch):
 
     monkeypatch.setattr(xr.Dataset, "to_netcdf", break_off)
     with pytest.raises(KeyboardInterrupt):
-        store.save(flanks(2e-6), job(saved))
+        store.save(flanks(2e-6), saved, origin())
     assert saved.read_bytes() == before
     assert [path.name for path in saved.parent.iterdir()] == [saved.name]
 
@@ -214,102 +256,61 @@ def test_a_file_whose_values_are_not_finite_is_named_with_the_variable(saved):
         store.load(saved)
 
 
-def made(tmp_path, name, cfg=None, **changes):
-    path = tmp_path / f"{name}.nc"
-    store.save(flanks(), job(path, cfg=cfg, **changes))
-    return path
+def with_lineage(code=""):
+    """Return a dataset as it is loaded, of a lineage that changes with the code."""
+    return xr.Dataset(attrs=store.Origin("geometry", {}, code).attributes())
 
 
-def test_lineage_changes_with_config_code_rule_and_the_lineage_of_an_input(tmp_path):
-    source, same, other = (
-        made(tmp_path, "source"),
-        made(tmp_path, "same"),
-        made(tmp_path, "other", cfg={"a": 2}),
-    )
+def test_lineage_changes_with_config_code_stage_and_the_lineage_of_an_input():
+    source, other = with_lineage(), with_lineage("other")
     found = [
-        store.lineage(path)
-        for path in (
-            made(tmp_path, "plain", wear=source),
-            made(tmp_path, "config", cfg={"a": 1}, wear=source),
-            made(tmp_path, "code", code="bbbb", wear=source),
-            made(tmp_path, "rule", rule="advance_wear", wear=source),
-            made(tmp_path, "input", wear=other),
-            made(tmp_path, "role", geometry=source),
-            made(tmp_path, "none"),
+        one.lineage
+        for one in (
+            origin(wear=source),
+            origin(config={"a": 1}, wear=source),
+            origin(code="bbbb", wear=source),
+            origin("wear", wear=source),
+            origin(wear=other),
+            origin(geometry=source),
+            origin(),
         )
     ]
     assert len(set(found)) == len(found)
-    assert store.lineage(made(tmp_path, "again", wear=same)) == found[0]
+    assert origin(wear=with_lineage()).lineage == found[0]
 
 
-def test_lineage_does_not_change_with_place_data_or_order_of_keys(tmp_path):
-    source = made(tmp_path, "source")
+def test_lineage_does_not_change_with_the_order_of_keys_and_inputs():
     turned = {"a": {"c": "x", "d": 2}, "b": 1.5}
-    first = made(tmp_path, "first", wear=source)
-    assert store.lineage(made(tmp_path, "turned", cfg=turned, wear=source)) == store.lineage(first)
-    (tmp_path / "elsewhere").mkdir()
-    moved = tmp_path / "elsewhere" / "moved.nc"
-    source.rename(moved)
-    assert store.lineage(made(tmp_path, "third", wear=moved)) == store.lineage(first)
+    one, two = with_lineage("one"), with_lineage("two")
+    assert origin(config=turned, wear=two, geometry=one).lineage == origin(geometry=one, wear=two).lineage
 
 
-def test_lineages_of_a_list_of_inputs_count_once_each_in_any_order(tmp_path):
-    one, two = made(tmp_path, "one", cfg={"a": 1}), made(tmp_path, "two", cfg={"a": 2})
-    first = store.lineage(made(tmp_path, "first", parts=[one, two]))
-    assert store.lineage(made(tmp_path, "turned", parts=[two, one])) == first
-    assert store.lineage(made(tmp_path, "twice", parts=[one, two, one])) == first
-    assert store.lineage(made(tmp_path, "short", parts=[one])) != first
+def test_lineages_of_a_list_of_inputs_count_once_each_in_any_order():
+    one, two = with_lineage("one"), with_lineage("two")
+    first = store.lineages({"parts": [one, two]})
+    assert first == store.lineages({"parts": [two, one]}) == store.lineages({"parts": [one, two, one]})
+    assert first["parts"].split() == sorted([one.attrs["lineage"], two.attrs["lineage"]])
+    assert store.lineages({"parts": [one]}) != first
 
 
-def test_lineage_of_the_inputs_is_written_beside_the_own(tmp_path):
-    source = made(tmp_path, "source")
-    found = store.load(made(tmp_path, "next", wear=source))
-    assert found.attrs["inputs"] == f'{{"wear": "{store.lineage(source)}"}}'
-    assert (found.attrs["code"], found.attrs["stage"]) == ("aaaa", "start_wear")
+def test_inputs_that_are_no_results_have_no_lineage():
+    found = store.lineages(
+        {"claims": Path("claims.yaml"), "texts": [Path("a.txt")], "wear": with_lineage(), "parts": []}
+    )
+    assert list(found) == ["wear"]
 
 
-@pytest.mark.parametrize(
-    ("path", "makers"),
-    [
-        ("results/geometry.nc", ("build_geometry",)),
-        ("results/wear/temperature.nc", ("heat_contact",)),
-        ("results/with/wear/q003.nc", ("start_wear", "advance_wear")),
-        ("results/with/backlash/q003.nc", ("open_backlash",)),
-        ("results/with/sweeps/restart/backlash.nc", ("join_sweep",)),
-        ("results/with/sweeps/up/backlash.nc", ("carry_sweep",)),
-        ("results/with/sweeps/down/temperature.nc", ("carry_sweep",)),
-        ("results/with/portraits/backlash.nc", ("trace_portraits",)),
-        ("results/with/branches/backlash.nc", ("continue_orbits",)),
-        ("results/with/motions/up/backlash.nc", ("trace_motions",)),
-        ("results/with/handover/handover.nc", ("gather_handover",)),
-        ("results/with/sweeps/parts/backlash/1-of-4.nc", ("sweep_part",)),
-        ("results/with/basins/backlash.nc", ("map_basins",)),
-        ("results/with/maps/tiles/ste/1-of-4.nc", ("map_tile", "map_temperature")),
-        ("results/studies/chains/with_0123456789ab.nc", ("run_chain",)),
-        ("results/studies/heat/t120/outcome.nc", ("measure_outcome",)),
-        ("results/studies/heat/study.nc", ("gather_study",)),
-        ("results/studies/onsets/box_001/member_onsets.nc", ("measure_onsets",)),
-        ("results/with/maps/wear.nc", ("join_map",)),
-        ("results/studies/heat/t120/geometry.nc", ("build_geometry",)),
-        ("results/studies/heat/t120/with/wear/q003.nc", ("start_wear", "advance_wear")),
-        ("results/studies/parts/sweeps/geometry.nc", ("build_geometry",)),
-        ("results/studies/sweeps/parts/with/temperature.nc", ("heat_contact",)),
-        ("results/parts/wear/q000.nc", ("start_wear", "advance_wear")),
-        ("results/onset_shifts.nc", ("compare_onsets",)),
-        ("results/with/onsets.nc", ("locate_onsets",)),
-        ("results/studies/onsets/box_001/with/onsets.nc", ("locate_onsets",)),
-        ("results/with/onset_variants.nc", ("vary_onsets",)),
-        ("results/studies/branches/portraits/geometry.nc", ("build_geometry",)),
-        ("somewhere/else.nc", ()),
-    ],
-)
-def test_makers_of_a_result_follow_from_its_place(path, makers):
-    assert store._makers(Path(path)) == makers
+def test_lineage_of_the_inputs_is_written_beside_the_own(tmp_path, saved):
+    store.save(flanks(), tmp_path / "next.nc", origin(wear=store.load(saved)))
+    assert store.load(tmp_path / "next.nc").attrs["inputs"] == f'{{"wear": "{store.lineage(saved)}"}}'
 
 
-def test_a_result_of_another_stage_is_named(tmp_path):
-    path = tmp_path / "mesh_stiffness" / "q001.nc"
-    path.parent.mkdir()
-    store.save(flanks(), job(path))
-    with pytest.raises(ValueError, match="q001.nc: a result of start_wear, not of build_stiffness; delete it"):
-        store.load(path)
+def test_a_lineage_that_cannot_be_read_is_named(tmp_path):
+    with pytest.raises(BadFile, match=r"q007\.nc: no such file; run the workflow again"):
+        store.lineage(tmp_path / "q007.nc")
+
+
+def test_parts_of_one_state_are_one_dataset():
+    grid = {"path": [1e-3, 2e-3, 3e-3]}
+    whole = store.together([flanks(1e-6), xr.Dataset({"elastic_deflection": ("path", [1.0, 2.0, 3.0])}, grid)])
+    assert set(whole.data_vars) == {"wear_depth", "running_cycles", "elastic_deflection"} and not whole.attrs

@@ -1,7 +1,8 @@
+"""Tables as CSV and as pages, whatever text they hold."""
+
 import csv
 from html.parser import HTMLParser
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 
@@ -9,6 +10,7 @@ from gearwear.figures import page, scorecard
 from gearwear.io import tables
 
 ROOT = Path(__file__).resolve().parents[3]
+TEMPLATE = ROOT / "workflow" / "report" / "table.html.j2"
 
 ROWS = [("a.key", "1.5", "m", "length of < and &"), ("list", "[1, 2]", "-", 'two, "quoted"')]
 
@@ -21,27 +23,26 @@ def test_numbers_of_a_csv_read_back_as_the_same(tmp_path):
 
 
 def test_a_table_is_written_as_csv_and_as_a_page_of_its_own(tmp_path):
-    template = str(ROOT / "workflow" / "report" / "table.html.j2")
-    output = SimpleNamespace(csv=str(tmp_path / "table.csv"), html=str(tmp_path / "table.html"))
-    job = SimpleNamespace(input=SimpleNamespace(template=template), output=output)
-    tables.write(job, "parameters", ("key", "value", "unit", "meaning"), iter(ROWS))
-    with open(output.csv, newline="") as file:
-        assert [tuple(row) for row in csv.reader(file)] == [("key", "value", "unit", "meaning"), *ROWS]
-    page = (tmp_path / "table.html").read_text(encoding="utf-8")
+    table = tables.Table(("key", "value", "unit", "meaning"), ROWS)
+    tables.write_csv(tmp_path / "table.csv", *table)
+    with open(tmp_path / "table.csv", newline="") as file:
+        assert [tuple(row) for row in csv.reader(file)] == [table.columns, *ROWS]
+    page = tables.page_of(table, TEMPLATE, "parameters")
     assert "<h1>Parameters</h1>" in page
     assert page.count("<tr>") == 3
     assert "length of &lt; and &amp;" in page
     assert "http" not in page
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["table.csv", "table.html"]
+    assert [path.name for path in tmp_path.iterdir()] == ["table.csv"]
 
 
-def test_rows_are_written_as_csv_that_any_reader_understands(tmp_path):
+def test_rows_with_the_same_keys_are_a_table_that_any_reader_understands(tmp_path):
     rows = [{"key": "a, b", "value": "1"}, {"key": 'said "c"', "value": "two\nlines"}]
-    tables.write_rows(rows, str(tmp_path / "table.csv"))
+    table = tables.Table.of(rows)
+    assert table == (("key", "value"), [("a, b", "1"), ('said "c"', "two\nlines")])
+    tables.write_csv(str(tmp_path / "table.csv"), *table)
     with open(tmp_path / "table.csv", newline="") as file:
         assert list(csv.DictReader(file)) == rows
     assert b"\r" not in (tmp_path / "table.csv").read_bytes()
-    assert [path.name for path in tmp_path.iterdir()] == ["table.csv"]
 
 
 FORMULAS = ("=1+1", "+1+cmd|' /C calc'!A0", "-2+3", "@SUM(A1)", "\t=1", '=HYPERLINK("x")')
@@ -82,28 +83,23 @@ def template(name):
     return (ROOT / "workflow" / "report" / name).read_text(encoding="utf-8")
 
 
-def table_page(folder, text):
-    output = SimpleNamespace(csv=str(folder / "table.csv"), html=str(folder / "table.html"))
-    job = SimpleNamespace(
-        input=SimpleNamespace(template=str(ROOT / "workflow" / "report/table.html.j2")), output=output
-    )
-    tables.write(job, text, (text, "value"), [(text, text), ("-", text)])
-    return (folder / "table.html").read_text(encoding="utf-8")
+def table_page(text):
+    return tables.page_of(tables.Table((text, "value"), [(text, text), ("-", text)]), TEMPLATE, text)
 
 
-def claims_page(folder, text):
+def claims_page(text):
     row = dict.fromkeys(("id", "says", "expected", "found", "verdict"), text) | {"figure": "12"}
     claim = {"kind": "qualitative", "case": text}
     return scorecard.page(template("claims.html.j2"), [row], [claim], {})
 
 
-def motions_page(folder, text):
+def motions_page(text):
     record = {"case": text, "label": text, "sweep": text, "class": [text], "longest": 3}
     return page.page(template("page.html.j2"), "", [record])
 
 
 @pytest.mark.parametrize("write", [table_page, claims_page, motions_page])
-def test_text_is_no_markup_on_a_page(write, tmp_path):
-    found = write(tmp_path, HOSTILE)
-    assert shape(found) == shape(write(tmp_path, "plain"))
+def test_text_is_no_markup_on_a_page(write):
+    found = write(HOSTILE)
+    assert shape(found) == shape(write("plain"))
     assert HOSTILE in Read(found).text

@@ -7,12 +7,10 @@ import sys
 import pytest
 
 from gearwear.run import lock
-from gearwear.run.digest import SCRIPTS
 from gearwear.run.lock import only_looks
 
 HOLDER = """
 import sys
-sys.path.insert(0, sys.argv[1])
 from gearwear.run.lock import hold
 hold()
 print("held", flush=True)
@@ -28,7 +26,7 @@ def run(tmp_path):
     def start(folder=tmp_path):
         folder.mkdir(exist_ok=True)
         process = subprocess.Popen(
-            [sys.executable, "-c", HOLDER, str(SCRIPTS)],
+            [sys.executable, "-c", HOLDER],
             cwd=folder,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,

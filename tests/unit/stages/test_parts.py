@@ -1,7 +1,9 @@
+"""How points are dealt to the parts of a sweep."""
+
 import numpy as np
 import pytest
 
-from gearwear.run.parts import indices
+from gearwear.stages.parts import indices
 
 
 @pytest.mark.parametrize("parts", [1, 2, 3, 7, 20])
