@@ -96,9 +96,9 @@ def caption(name):
     return str(ROOT / "workflow" / "report" / f"{name}.rst")
 
 
-def code(stage):
-    """The digest of the code of a stage."""
-    return CODE[stages.target_of(stage)]
+def code(*names):
+    """The digests of the code of stages, by their names."""
+    return {name: CODE[stages.target_of(name)] for name in names}
 
 
 def member(root):

@@ -191,7 +191,7 @@ for (first, end), worn in BLOCKS.items():
             cfg=lambda wildcards: {
                 link.__name__: cfg(link.__name__)(wildcards) for link in CYCLE
             },
-            code={link.__name__: code(link.__name__) for link in CYCLE},
+            code=code(*(link.__name__ for link in CYCLE)),
         message:
             f"Case {{wildcards.case}}: wear cycles {first} to {end} in one job."
         script:

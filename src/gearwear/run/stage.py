@@ -26,15 +26,16 @@ def run(job: Any) -> None:
 
     Parameters
     ----------
-    job : the `snakemake` object of the script; the rule, or `params.stage`, is the name of the stage.
+    job : the `snakemake` object of the script; `params.code` holds the digest of the stage by its name, since the rule
+        has another name where the workflow is a module of another.
     """
-    stage = job.params.get("stage", job.rule)
-    with logged(job, {stages.target_of(stage): job.params.code}):
+    ((stage, code),) = job.params.code.items()
+    with logged(job, {stages.target_of(stage): code}):
         inputs = load(job, stages.VARIABLES.get(stage, {}))
         available = {**dict(job.wildcards.items()), "cfg": job.params.cfg, **inputs}
         function = stages.function_of(stage)
         made = function(**{name: available[name] for name in signature(function).parameters})
-        write(made, job.output, origin(stage, job.params.cfg, job.params.code, inputs))
+        write(made, job.output, origin(stage, job.params.cfg, code, inputs))
 
 
 def run_block(job: Any) -> None:
@@ -47,8 +48,7 @@ def run_block(job: Any) -> None:
     from gearwear.chain.history import CYCLE, results_of
     from gearwear.io.store import load as read
 
-    codes = {stages.target_of(stage.__name__): job.params.code[stage.__name__] for stage in CYCLE}
-    with logged(job, codes):
+    with logged(job, {stages.target_of(stage): code for stage, code in job.params.code.items()}):
         available = load(job, {})
         for place in range(len(job.output.wear)):
             for stage, names in CYCLE.items():
