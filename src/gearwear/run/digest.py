@@ -83,15 +83,23 @@ def reached(targets: Iterable[str], package: Path = PACKAGE) -> set[tuple[Symbol
         if symbol in seen:
             continue
         seen.add(symbol)
-        module, name = symbol
-        source = _source(module, package)
-        todo.append((module, _AT_IMPORT))
-        if name == _AT_IMPORT:
-            todo += [(other, _AT_IMPORT) for other in source.imported()]
-        for statement in source.statements(name):
-            found.add((symbol, _code(statement)))
-            todo += source.references(statement)
+        codes, references = _definition(symbol, package)
+        found.update((symbol, code) for code in codes)
+        todo += references
     return found
+
+
+@cache
+def _definition(symbol: Symbol, package: Path) -> tuple[list[str], list[Symbol]]:
+    """Return the code that defines a symbol, and the symbols that it refers to."""
+    module, name = symbol
+    source = _source(module, package)
+    references = [(module, _AT_IMPORT)]
+    if name == _AT_IMPORT:
+        references += [(other, _AT_IMPORT) for other in source.imported()]
+    statements = source.statements(name)
+    codes = [_code(statement) for statement in statements]
+    return codes, references + [one for statement in statements for one in source.references(statement)]
 
 
 @cache
