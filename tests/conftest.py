@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+import yaml
 
 ROOT = Path(__file__).resolve().parents[1]
 SMOKE = ("--configfile", "config/config.yaml", "config/smoke.yaml")
@@ -53,13 +54,33 @@ class Project:
             start_new_session=True,
         )
 
-    def planned(self, *arguments: str) -> set[str]:
-        """Return the result files that `snakemake all` would make anew."""
-        table = self.snakemake("--summary", "all", *(arguments or SMOKE))
+    def smoke(self, settings: dict | None = None) -> tuple[str, ...]:
+        """Return the options of the smoke study, with settings laid over its own."""
+        if not settings:
+            return SMOKE
+        (self.folder / "overlay.yaml").write_text(yaml.safe_dump(settings))
+        return (*SMOKE, "overlay.yaml")
+
+    def summary(self, *arguments: str) -> dict[str, bool]:
+        """Return the result files behind targets, and whether they would be made anew."""
+        table = self.snakemake("--summary", *arguments)
         assert table.returncode == 0, table.stdout
         files = re.findall(r"^(results/\S+)\t.*\t(update pending|no update)$", table.stdout, flags=re.MULTILINE)
-        assert len(files) > 100, table.stdout
-        return {name for name, plan in files if plan == "update pending"}
+        return {name: plan == "update pending" for name, plan in files}
+
+    def planned(self, settings: dict | None = None) -> set[str]:
+        """Return the result files of the smoke study that `snakemake all` would make anew."""
+        files = self.summary("all", *self.smoke(settings))
+        assert len(files) > 100
+        return {name for name, anew in files.items() if anew}
+
+    def jobs(self, *arguments: str) -> dict[str, int]:
+        """Return how many jobs of every rule a dry run plans."""
+        plan = self.snakemake("-n", *arguments)
+        assert plan.returncode == 0, plan.stdout[-8000:]
+        table = re.search(r"^Job stats:\n(.*?)\n\n", plan.stdout, flags=re.MULTILINE | re.DOTALL)
+        counts = re.findall(r"^(\w+) +(\d+)$", table[1], flags=re.MULTILINE) if table else ()
+        return {rule: int(count) for rule, count in counts}
 
 
 @pytest.fixture(scope="session")

@@ -1,6 +1,5 @@
 """Jobs of the smoke run, as Snakemake made them, that can be run again one by one."""
 
-import importlib
 import io
 import shutil
 import subprocess
@@ -13,15 +12,12 @@ import pytest
 
 from gearwear.run import stage
 
-ROOT = Path(__file__).resolve().parents[2]
-
 
 @dataclass(frozen=True)
 class Job:
-    """A job: the file that Snakemake ran, the name of its script, and the object that the script was given."""
+    """A job: the file that Snakemake ran, and the object that it gave to the script in it."""
 
     file: Path
-    script: str
     job: Any
 
     @property
@@ -36,14 +32,14 @@ def read(file: Path) -> Job:
     path, given = list(sys.path), {"__file__": str(file)}
     exec(file.read_text().splitlines()[1], given)
     sys.path[:] = path
-    return Job(file, file.name.split(".")[1], given["snakemake"])
+    return Job(file, given["snakemake"])
 
 
 @pytest.fixture(scope="session")
 def every_job(smoke_run):
-    """All jobs of the smoke run by the first of their results."""
+    """All jobs of the smoke run by their results."""
     found = map(read, (smoke_run.folder / ".snakemake" / "scripts").glob("*.py"))
-    return {one.job.output[0]: one for one in sorted(found, key=lambda one: one.job.output[0])}
+    return {name: one for one in sorted(found, key=lambda one: one.job.output[0]) for name in one.job.output}
 
 
 @pytest.fixture(scope="session")
@@ -84,16 +80,15 @@ def tell(monkeypatch):
         stage, "end_with_workflow", lambda: None
     )  # the test must not be bound to the life of its parent
 
-    def run(one: Job) -> str:
+    def run(job: Any) -> str:
         screen = io.StringIO()
         with monkeypatch.context() as here:
             here.setattr(sys, "__stderr__", screen)
             here.setattr(sys, "__stdout__", screen)
             try:
-                with stage.logged(one.job, str(ROOT / "workflow" / "scripts" / f"{one.script}.py")):
-                    importlib.import_module(one.script).main(one.job)
+                (stage.run_figure if hasattr(job.params, "draw") else stage.run)(job)
             except SystemExit as end:
-                return Path(one.job.log[0]).read_text() + screen.getvalue() + str(end)
+                return Path(job.log[0]).read_text() + screen.getvalue() + str(end)
         return ""
 
     return run

@@ -2,6 +2,7 @@
 
 import json
 import shutil
+from pathlib import Path
 from types import SimpleNamespace
 
 import netCDF4
@@ -9,9 +10,10 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from gearwear.errors import BadFile
 from gearwear.io import store
 from gearwear.io.variables import variable_of
-from gearwear.run import inputs
+from gearwear.run import stage
 
 REMEDY = "run the workflow again"
 
@@ -42,9 +44,14 @@ def foreign(path):
     xr.Dataset({"temperature": ("time", [280.0, 281.0])}).to_netcdf(path)
 
 
-def of_another_stage(path):
+def another_result(path):
     with netCDF4.Dataset(path, "a") as file:
-        file.stage = "heat_contact" if file.stage != "heat_contact" else "build_geometry"
+        file.result = "geometry.nc" if file.result != "geometry.nc" else "with/temperature.nc"
+
+
+def of_an_older_layout(path):
+    with netCDF4.Dataset(path, "a") as file:
+        file.delncattr("result")
 
 
 def not_finite(path):
@@ -86,7 +93,8 @@ DEFECTS = (
     *UNREADABLE,
     missing,
     foreign,
-    of_another_stage,
+    another_result,
+    of_an_older_layout,
     not_finite,
     of_other_settings,
     of_other_files,
@@ -94,12 +102,12 @@ DEFECTS = (
 )
 # Seen where the geometry is read beside the file, for the files of a state of the flanks.
 COMPARED = (of_other_files, on_another_grid)
-POINTS = {"sweep_part", "join_sweep", "carry_sweep", "continue_orbits", "trace_portraits", "map_basins"}
+POINTS = {"sweep", "branches", "portraits", "basins"}
 UNSEEN = {
-    of_other_settings: {"start_wear"},
+    of_other_settings: {"unworn"},  # which has no settings
     of_other_files: POINTS,
     on_another_grid: POINTS,
-}  # new flanks have no settings
+}
 
 
 def kinds(jobs, spoil, whole):
@@ -110,8 +118,9 @@ def kinds(jobs, spoil, whole):
             continue
         for _, path in one.files:
             with netCDF4.Dataset(one.file.parents[2] / path) as file:
+                kind = (file.stage, Path(path).parent.name, rule if whole else "")
                 if file.stage not in UNSEEN.get(spoil, ()):
-                    found.setdefault((file.stage, rule) if whole else file.stage, (one, path, file.stage))
+                    found.setdefault(kind, (one.job, path))
     return list(found.values())
 
 
@@ -121,53 +130,52 @@ def test_spoiled_file_is_named(jobs, copied, long, tell, monkeypatch, spoil):
     missed = []
     tried = kinds(jobs, spoil, long)
     assert len(tried) > 8
-    for one, path, stage in tried if long else tried[DEFECTS.index(spoil) % 3 :: 3]:
-        spoiled, outputs = copied / path, [copied / output for output in one.job.output]
+    for job, path in tried if long else tried[DEFECTS.index(spoil) % 3 :: 3]:
+        spoiled, outputs = copied / path, [copied / output for output in job.output]
         kept = copied / "kept.nc"
         shutil.copy2(spoiled, kept)
         before = [output.read_bytes() for output in outputs]
         try:
             spoil(spoiled)
-            told = tell(one)
+            told = tell(job)
         finally:
             shutil.rmtree(spoiled) if spoiled.is_dir() else spoiled.unlink(missing_ok=True)
             kept.rename(spoiled)
         clear = "failed: " in told and path in told and REMEDY in told and "Traceback" not in told
         unread = spoil is not_finite and not told  # the values of a file that no claim asks for
         if not (clear or unread) or [output.read_bytes() for output in outputs] != before:
-            missed.append(f"{one.job.rule} reads {path} of {stage}: {told}")
+            missed.append(f"{job.rule} reads {path}: {told}")
     assert not missed, "\n".join(missed)
 
 
-OTHERS = {
-    "with/maps/tiles/ste/1-of-16.nc": "map_tile",
-    "with/maps/ste.nc": "join_map",
-    "with/onsets.nc": "locate_onsets",
-    "with/onset_variants.nc": "vary_onsets",
-    "onset_shifts.nc": "compare_onsets",
-    "sensitivity.nc": "compare_members",
-    "studies/sensitivity/study/measures.nc": "measure_member",
-    "studies/chains/q000.nc": "run_chain",
-    "studies/life/t020/with/outcome.nc": "measure_outcome",
-    "studies/life/study.nc": "gather_study",
-    "calibration/searches/0.nc": "search_parameters",
-}
+OTHERS = (
+    "with/maps/tiles/ste/1-of-16.nc",
+    "with/maps/ste.nc",
+    "with/onsets.nc",
+    "with/onset_variants.nc",
+    "onset_shifts.nc",
+    "sensitivity.nc",
+    "studies/sensitivity/study/measures.nc",
+    "studies/chains/q000.nc",
+    "studies/life/t020/outcome.nc",
+    "studies/life/study.nc",
+    "calibration/searches/1.nc",
+)
 
 
 @pytest.mark.parametrize("place", OTHERS)
 @pytest.mark.parametrize(
-    "spoil", [*UNREADABLE, missing, foreign, of_another_stage, not_finite], ids=lambda spoil: spoil.__name__
+    "spoil",
+    [*UNREADABLE, missing, foreign, another_result, of_an_older_layout, not_finite],
+    ids=lambda spoil: spoil.__name__,
 )
 def test_spoiled_file_of_a_target_beside_all_is_named(tmp_path, monkeypatch, place, spoil):
     monkeypatch.chdir(tmp_path)
-    path = tmp_path / "results" / place
+    path = Path("results", place)
     path.parent.mkdir(parents=True)
-    params = SimpleNamespace(cfg={}, code="0" * 16)
-    made = xr.Dataset({"running_cycles": 0.0})
-    store.save(made, SimpleNamespace(rule=OTHERS[place], input={}, output=[str(path)], params=params))
-    reader = SimpleNamespace(input={"it": f"results/{place}"}, config={})
-    inputs.check(reader)
+    store.save(xr.Dataset({"running_cycles": 0.0}), path, store.Origin("a_stage", {}, "0" * 16))
+    job = SimpleNamespace(input={"it": str(path)}, config={})
+    assert stage.load(job, {})["it"]["running_cycles"] == 0.0
     spoil(path)
-    with pytest.raises(ValueError, match=f"results/{place}: .*{REMEDY}"):
-        inputs.check(reader)
-        store.load(f"results/{place}")
+    with pytest.raises(BadFile, match=f"{path}: .*{REMEDY}"):
+        stage.load(job, {})

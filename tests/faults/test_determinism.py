@@ -4,25 +4,22 @@ import os
 import shutil
 import subprocess
 import sys
-from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import xarray as xr
 
-ROOT = Path(__file__).resolve().parents[2]
+from gearwear.io import store
+from gearwear.stages.motion import sweep, sweep_part
 
-
-# Runs the scripts of jobs one after another in one process, as Snakemake does in one for each.
+# Runs the jobs of stages one after another in one process; Snakemake starts a process for each.
 RUNNER = """
-import importlib, sys
-from pathlib import Path
-sys.path.insert(0, sys.argv[1])
-for file in map(Path, sys.argv[2:]):
-    given = {"__file__": str(file)}
-    exec(file.read_text().splitlines()[1], given)
-    importlib.import_module(file.name.split(".")[1]).main(given["snakemake"])
+import sys
+from gearwear.run import stage
+for file in sys.argv[1:]:
+    given = {"__file__": file}
+    exec(open(file).read().splitlines()[1], given)
+    stage.run(given["snakemake"])
 """
 # A processor without AVX and FMA, as numba, numpy, OpenBLAS and the mathematical library of the system see it.
 PLAIN_PROCESSOR = {
@@ -40,6 +37,7 @@ STATIC = (
         for name in (
             "temperature",
             "deformation",
+            "flash_growth",
             "wear/q000",
             "mesh_stiffness/q000",
             "transmission_error/q000",
@@ -54,53 +52,35 @@ def run(names, every_job, folder, **variables):
     """Run jobs of the smoke run anew on the results in a folder."""
     for name in names:
         (folder / name).unlink()
-    files = [str(every_job[name].file) for name in names]
-    command = [sys.executable, "-c", RUNNER, str(ROOT / "workflow" / "scripts"), *files]
+    files = dict.fromkeys(str(every_job[name].file) for name in names)
+    command = [sys.executable, "-c", RUNNER, *files]
     done = subprocess.run(command, cwd=folder, env=os.environ | variables, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
 
 
-def test_another_folder_and_one_job_at_a_time_give_the_same_bytes(smoke_run, tmp_path):
-    targets = [
-        "results/with/response/q001.nc",
-        "results/without/sweeps/restart/mesh_frequency.nc",
-        "results/without/sweeps/down/mesh_frequency.nc",
-        "results/figures/fig07.svg",
-    ]
+def test_another_folder_one_job_at_a_time_and_a_sweep_in_parts_give_the_same(smoke_run, tmp_path):
+    targets = ["results/with/response/q001.nc", "results/figures/fig07.svg"]
+    sweeps = [f"results/without/sweeps/{way}/mesh_frequency.nc" for way in ("restart", "up", "down")]
     configs = [str(smoke_run.folder / "config" / name) for name in ("config.yaml", "smoke.yaml")]
-    arguments = ("-j1", "--directory", str(tmp_path), "--set-scatter", "sweep=3", "--configfile", *configs)
-    again = smoke_run.snakemake(*arguments, "--", *targets)
-    assert again.returncode == 0, again.stdout
+    arguments = ("-j1", "--directory", str(tmp_path), "--set-scatter", "sweep=4", "--configfile", *configs)
+    again = smoke_run.snakemake(*arguments, "--", *targets, *sweeps)
+    assert again.returncode == 0 and again.stdout.count("part 4-of-4") == 1, again.stdout
     for target in targets:
         assert (tmp_path / target).read_bytes() == (smoke_run.folder / target).read_bytes(), target
+    for name in sweeps:  # which tell in their attributes that they were made of parts
+        one, other = (xr.load_dataset(folder / name) for folder in (smoke_run.folder, tmp_path))
+        assert one.identical(other.assign_attrs(one.attrs)), name
 
 
 @pytest.mark.parametrize("count", [1, 2, 7])
-def test_any_number_of_parts_gives_the_same_sweep(every_job, copied, smoke_run, tell, tmp_path, monkeypatch, count):
-    monkeypatch.chdir(copied)
-    whole = every_job["results/without/sweeps/restart/mesh_frequency.nc"]
-    part = every_job["results/without/sweeps/parts/mesh_frequency/1-of-4.nc"]
-    log, parts = [str(tmp_path / "log")], []
-    for number in range(1, count + 1):
-        parts.append(str(tmp_path / f"{number}-of-{count}.nc"))
-        wildcards = SimpleNamespace(sweep="mesh_frequency", scatteritem=f"{number}-of-{count}")
-        assert tell(changed(part, wildcards=wildcards, output=[parts[-1]], log=log)) == ""
-    joined = tmp_path / "mesh_frequency.nc"
-    inputs = Inputs(parts=parts)
-    assert tell(changed(whole, input=inputs, output=[str(joined)], log=log)) == ""
-    assert joined.read_bytes() == (smoke_run.folder / whole.job.output[0]).read_bytes()
-
-
-class Inputs(dict):
-    """Named input files, by attribute and as items, as a job has them."""
-
-    __getattr__ = dict.__getitem__
-
-
-def changed(one, **changes):
-    names = ("rule", "input", "output", "params", "wildcards", "log", "config")
-    job = SimpleNamespace(**({name: getattr(one.job, name) for name in names} | changes))
-    return SimpleNamespace(job=job, script=one.script)
+def test_any_number_of_parts_gives_the_same_sweep(every_job, smoke_run, count):
+    job = every_job["results/without/sweeps/restart/mesh_frequency.nc"].job
+    cfg, excitation = job.params.cfg, store.load(smoke_run.folder / job.input.excitation)
+    parts = [sweep_part(cfg, excitation, "mesh_frequency", f"{n}-of-{count}") for n in range(1, count + 1)]
+    assert [part.sizes["point"] for part in parts] == [len(range(n, 17, count)) for n in range(count)]
+    joined = sweep(cfg, excitation, parts, "mesh_frequency")["restart"]
+    whole = store.load(smoke_run.folder / job.output.restart)
+    assert joined.drop_attrs().identical(whole.drop_attrs())
 
 
 def test_the_number_of_threads_changes_nothing(every_job, copied, smoke_run):

@@ -1,11 +1,10 @@
 """What a change re-runs; docs/how-to/reruns.md has the same table for users."""
 
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 import yaml
-
-ROOT = Path(__file__).resolve().parents[2]
 
 RULE_OF_FOLDER = {
     "wear": "wear",
@@ -59,18 +58,16 @@ def rule_of(path: str) -> str:
     return "unworn" if folder == "wear" and parts[-1] == "q000.nc" else RULE_OF_FOLDER[folder]
 
 
-def overlay(project, key: str, value) -> Path:
+def changed(key: str, value) -> dict:
+    """Return the settings with one changed value."""
     for name in reversed(key.split(".")):
         value = {name: value}
-    path = project.folder / "overlay.yaml"
-    path.write_text(yaml.safe_dump(value))
-    return path
+    return value
 
 
 def plan_after(project, key, value) -> set[str]:
     """Return what is made anew, the lists of parameters and warnings left out."""
-    changed = overlay(project, key, value).name
-    planned = project.planned("--configfile", "config/config.yaml", "config/smoke.yaml", changed)
+    planned = project.planned(changed(key, value))
     assert planned >= PARAMETERS
     return planned - PARAMETERS - WARNINGS
 
@@ -95,6 +92,11 @@ def test_changed_value_reruns_what_it_reaches(smoke_run, key):
     for rule in {"mesh_excitation", "response"} & {rule.rstrip("*") for rule in expected}:
         first = any(path.endswith("/q000.nc") and rule_of(path) == rule for path in planned)
         assert first == (rule in expected), rule
+
+
+def test_boundary_friction_reruns_few_jobs(smoke_run):
+    """The default study has the same cases, and of what it reaches the same jobs."""
+    assert smoke_run.jobs("all", *smoke_run.smoke(changed("friction.boundary", 0.11)))["total"] <= 25
 
 
 def test_bulk_temperature_of_a_case_reruns_only_this_case(smoke_run):
@@ -124,26 +126,44 @@ def test_comment_and_key_order_rerun_no_computation(smoke_run):
         path.write_text(before)
 
 
-def edited_plan(project, module: str, old: str, new: str) -> set[str]:
-    path = project.folder / "src" / "gearwear" / module
-    before = path.read_text()
-    assert old in before
+@contextmanager
+def edited(project, *edits):
+    """Edit files of the program for a while: pairs of an old and a new text, by the paths of the files."""
+    before = {project.folder / name: (project.folder / name).read_text() for name, _, _ in edits}
     try:
-        path.write_text(before.replace(old, new, 1))
-        return project.planned() - WARNINGS
+        for name, old, new in edits:
+            text = (project.folder / name).read_text()
+            assert old in text, (name, old)
+            (project.folder / name).write_text(text.replace(old, new, 1))
+        yield
     finally:
-        path.write_text(before)
+        for path, text in before.items():
+            path.write_text(text)
 
 
 def test_edited_physics_reruns_its_stages(smoke_run):
-    planned = edited_plan(
-        smoke_run, "mesh/backlash.py", "opening + factor * change / 2", "opening + factor * change / 3"
-    )
-    rules = {rule_of(path) for path in planned}
+    edit = ("src/gearwear/mesh/backlash.py", "opening + factor * change / 2", "opening + factor * change / 3")
+    with edited(smoke_run, edit):
+        rules = {rule_of(path) for path in smoke_run.planned() - WARNINGS}
     assert rules >= {"mesh_excitation", "response"}
-    assert not rules & {"geometry", "temperature", "deformation", "unworn"}
+    assert not rules & {"geometry", "temperature", "deformation", "flash_growth", "unworn"}
 
 
-def test_edited_comment_and_docstring_rerun_nothing(smoke_run):
-    old = '"""Half backlash along the path of one pair."""'
-    assert edited_plan(smoke_run, "mesh/backlash.py", old, '"""Gap."""\n# a remark') == set()
+def test_edited_basins_rerun_the_basins_and_their_figures_alone(smoke_run):
+    with edited(smoke_run, ("src/gearwear/motions/basins.py", "_WATCHED = 16", "_WATCHED = 17")):
+        planned = smoke_run.planned()
+    figures = {path for path in planned if path.startswith("results/figures/basins_")}
+    basins = {path for path in planned if "/basins/" in path}
+    assert len(figures) == 2 * len(basins) > 0 and planned == figures | basins
+
+
+def test_comment_docstring_help_text_and_unused_constant_rerun_nothing(smoke_run):
+    docstring = '"""Half backlash along the path of one pair."""'
+    edits = (
+        ("src/gearwear/mesh/backlash.py", docstring, '"""Gap."""\n# a remark'),
+        ("src/gearwear/mesh/backlash.py", "\ndef ", "\nUNUSED = 1\n\n\ndef "),
+        ("src/gearwear/config/study.py", "Damping ratio of the mass on", "Damping of the mass on"),
+        ("workflow/report/fig12.rst", "", "Another caption. "),
+    )
+    with edited(smoke_run, *edits):
+        assert smoke_run.planned() == PARAMETERS  # which list the help texts

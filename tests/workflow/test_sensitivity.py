@@ -3,7 +3,6 @@
 import re
 
 import pytest
-import yaml
 
 
 @pytest.fixture(scope="module")
@@ -11,10 +10,8 @@ def project(make_project):
     return make_project("sensitivity")
 
 
-def planned(project, overlay, *arguments):
-    path = project.folder / "overlay.yaml"
-    path.write_text(yaml.safe_dump(overlay))
-    return project.snakemake("--configfile", "config/config.yaml", "config/smoke.yaml", path.name, "-n", *arguments)
+def planned(project, settings, *targets):
+    return project.snakemake("-n", *project.smoke(settings), "--", *targets)
 
 
 def measured(run):
@@ -30,31 +27,24 @@ def test_every_variation_is_one_job_beside_the_study_itself(project):
         "studies/sensitivity/heat_growth_eulerian/",
         "studies/sensitivity/dynamics_harmonics_full/",
         "studies/sensitivity/damping_ratio_low/",
+        "studies/sensitivity/lubricant_viscosity_law_vogel/",
     } <= found
     assert f"total {len(found) + 3}" in re.sub(" +", " ", plan.stdout)
 
 
-def test_another_default_makes_other_members(project):
-    found = measured(planned(project, {"heat": {"growth": "eulerian"}}, "sensitivity"))
-    assert "studies/sensitivity/heat_growth_paper/" in found
-    assert "studies/sensitivity/heat_growth_eulerian/" not in found
+def test_other_defaults_make_other_members_and_those_that_the_configuration_refuses_are_not_computed(project):
+    settings = {"heat": {"growth": "eulerian"}, "lubricant": {"dynamic_viscosity_40": 0.005}}
+    found = measured(planned(project, settings, "sensitivity"))
+    assert {f"studies/sensitivity/{name}/" for name in ("heat_growth_paper", "friction_law_thresholds")} <= found
+    assert "studies/sensitivity/heat_growth_eulerian/" not in found  # the default now
+    assert "studies/sensitivity/lubricant_viscosity_law_vogel/" not in found  # refused for this oil
 
 
-def test_an_option_that_the_configuration_refuses_is_not_computed_and_the_rest_is(project):
-    found = measured(planned(project, {"lubricant": {"dynamic_viscosity_40": 0.005}}, "sensitivity"))
-    assert "studies/sensitivity/lubricant_viscosity_law_vogel/" not in found
-    assert "studies/sensitivity/friction_law_thresholds/" in found
-
-
-def test_a_member_can_be_asked_for_with_all_its_files(project):
+def test_a_member_can_be_asked_for_with_all_its_files_and_nothing_of_it_belongs_to_all(project):
     file = "results/studies/sensitivity/heat_growth_eulerian/with/deformation.nc"
-    plan = planned(project, {}, "--", file)
-    assert plan.returncode == 0 and "heat_growth_eulerian/with: growing the flanks" in plan.stdout
-
-
-def test_nothing_of_it_belongs_to_all(project):
-    plan = planned(project, {}, "all")
-    assert plan.returncode == 0 and "measure_member" not in plan.stdout
+    plan = planned(project, {}, "all", file)
+    assert plan.returncode == 0 and "heat_growth_eulerian/with: computing the thermal growth" in plan.stdout
+    assert not measured(plan)
 
 
 def test_a_bad_range_is_one_clear_error(project):

@@ -5,9 +5,7 @@ import re
 
 import pytest
 import xarray as xr
-import yaml
 
-SMOKE = ("--configfile", "config/config.yaml", "config/studies/life.yaml", "config/smoke.yaml", "study.yaml")
 HEAT, AGE = "cases.with.bulk_temperature", "cases.with.running_cycles"
 GRID = {HEAT: [10, 100], AGE: [0, 1e8]}
 SMALL = {
@@ -18,14 +16,9 @@ SMALL = {
 FILES = [f"results/studies/heat/{name}" for name in ("study.nc", "table.csv", "lives.csv")]
 
 
-def run_with(project, overlay, *arguments):
-    (project.folder / "study.yaml").write_text(yaml.safe_dump(overlay))
-    return project.snakemake(*arguments, *SMOKE)
-
-
 @pytest.fixture(scope="module")
 def studied(smoke_run):
-    run = run_with(smoke_run, SMALL, "-j2", *FILES, "results/figures/study_heat.svg")
+    run = smoke_run.snakemake("-j2", *FILES, "results/figures/study_heat.svg", *smoke_run.smoke(SMALL))
     assert run.returncode == 0, run.stdout[-8000:]
     return smoke_run
 
@@ -51,11 +44,13 @@ def test_two_ages_share_one_chain_and_an_impossible_combination_stops_nobody(stu
     assert (found["motion_class"].values == worn["motion_class"].values).all()
 
 
-def planned(project, overlay):
-    table = run_with(project, overlay, "--summary", *FILES)
-    assert table.returncode == 0, table.stdout
-    files = re.findall(r"^results/studies/(\S+)\t.*\t(update pending|no update)$", table.stdout, flags=re.MULTILINE)
-    return {re.sub(r"\w+_[0-9a-f]{12}", "chain", name) for name, plan in files if plan == "update pending"}
+def planned(project, settings):
+    files = project.summary(*project.smoke(settings), *FILES)
+    return {
+        re.sub(r"\w+_[0-9a-f]{12}", "chain", name.removeprefix("results/studies/"))
+        for name, anew in files.items()
+        if anew and name.startswith("results/studies/")
+    }
 
 
 def test_only_what_a_change_reaches_runs_again(studied):
@@ -69,7 +64,5 @@ def test_only_what_a_change_reaches_runs_again(studied):
 
 
 def test_the_shipped_life_is_planned_by_its_name(studied):
-    run = studied.snakemake("-n", "life")
-    assert run.returncode == 0, run.stdout
-    assert re.search(r"^measure_outcome +56$", run.stdout, flags=re.MULTILINE)
-    assert re.search(r"^run_chain +7$", run.stdout, flags=re.MULTILINE)
+    jobs = studied.jobs("life")
+    assert (jobs["outcome"], jobs["wear_history"]) == (56, 7)
