@@ -15,7 +15,7 @@ from matplotlib.lines import Line2D
 
 from gearwear.compare import results_folder
 from gearwear.errors import BadFile
-from gearwear.figures import path_axis, phase_axis
+from gearwear.figures import contact_axes, labels, sections
 from gearwear.figures.sheet import DOUBLE, MILLIMETRE, SINGLE
 from gearwear.io.atomic import atomic
 
@@ -142,36 +142,35 @@ def _write(figure: Figure, path: Path) -> Iterator[Path]:
 
 def _on_path(field: Callable[[xr.Dataset], xr.DataArray]) -> Draw:
     def draw(axes: Axes, pair: xr.Dataset, dataset: xr.Dataset, line: dict[str, Any]) -> None:
-        path_axis.draw(axes, field(dataset), 1e6, **line)
+        contact_axes.draw_along_path(axes, field(dataset), 1e6, **line)
         if np.abs(axes.dataLim.intervaly).max() < _NOTHING:
             axes.set_ylim(-0.05, 0.05)
         else:
             axes.set_ylim(auto=True)
-        path_axis.mark(axes, pair)
+        contact_axes.mark_path(axes, pair)
 
     return draw
 
 
 def _over_the_mesh(name: str, scale: float) -> Draw:
     def draw(axes: Axes, pair: xr.Dataset, dataset: xr.Dataset, line: dict[str, Any]) -> None:
-        phase_axis.draw(axes, pair, scale * dataset[name].values, **line)
-        phase_axis.mark(axes, pair)
+        contact_axes.draw_over_phase(axes, pair, scale * dataset[name].values, **line)
+        contact_axes.mark_phase(axes, pair)
 
     return draw
 
 
 def _sections(axes: Axes, _pair: xr.Dataset, sweep: xr.Dataset, line: dict[str, Any]) -> None:
-    displacement, period = sweep["section_displacement"].values, sweep["period"].values[:, None]
-    drawn = (np.arange(displacement.shape[1]) < period) | (period == 0)
+    displacement, dots = sweep["section_displacement"].values, np.logical_or(*sections.chosen(sweep))
     place = np.broadcast_to(sweep["mesh_frequency"].values[:, None], displacement.shape)
-    axes.plot(place[drawn], displacement[drawn], ".", markersize=0.8, color=line["color"], rasterized=True)
-    axes.set_xlabel("Mesh frequency over natural frequency")
+    axes.plot(place[dots], displacement[dots], ".", markersize=0.8, color=line["color"], rasterized=True)
+    axes.set_xlabel(labels.SWEEPS["mesh_frequency"])
 
 
 def _exponents(axes: Axes, _pair: xr.Dataset, sweep: xr.Dataset, line: dict[str, Any]) -> None:
     axes.plot(sweep["mesh_frequency"].values, sweep["lyapunov_exponent"].values, **line)
     axes.axhline(0, color="black", linewidth=0.4)
-    axes.set_xlabel("Mesh frequency over natural frequency")
+    axes.set_xlabel(labels.SWEEPS["mesh_frequency"])
 
 
 _WEAR, _GROWTH, _ERROR = "wear/q*.nc", "deformation.nc", "transmission_error/q*.nc"

@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 from gearwear.io.atomic import atomic
 
 SINGLE, DOUBLE = 85.0, 175.0  # column widths, mm
-_MILLIMETRE = 1 / 25.4  # inch
+MILLIMETRE = 1 / 25.4  # inch
 _MOST_COLUMNS = 4  # of a legend: more run off a sheet of two columns' width
 
 
@@ -44,7 +44,7 @@ class Drawing:
         """
         height = self.height(**inputs) if callable(self.height) else self.height
         with matplotlib.style.context(style, after_reset=True):
-            figure = Figure(figsize=(self.width * _MILLIMETRE, height * _MILLIMETRE), layout=self.layout)
+            figure = Figure(figsize=(self.width * MILLIMETRE, height * MILLIMETRE), layout=self.layout)
             self.draw(figure, **inputs)
             source = " ".join(["gearwear", *_lineages(inputs)])
             with atomic(svg) as vector, atomic(png) as pixels:
