@@ -11,7 +11,6 @@ import pytest
 from gearwear.config.calibration_parameters import NAMES, OSCILLATOR, values_of
 from gearwear.config.slices import slice_of
 from gearwear.figures import trade_off
-from gearwear.figures.sheet import write
 from gearwear.io import store
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -132,6 +131,8 @@ def test_the_tables_say_what_was_found(compared, config):
 
 
 def test_the_figure_names_the_claims(compared, tmp_path):
-    svg, png = (str(tmp_path / f"figure.{suffix}") for suffix in ("svg", "png"))
-    write(trade_off.draw, {"calibration": store.load(compared.dataset), "cfg": {}}, STYLE, svg, png)
-    assert "backlash-P4a" in Path(svg).read_text()
+    svg, png = (tmp_path / f"figure.{suffix}" for suffix in ("svg", "png"))
+    trade_off.draw.sheet.write(
+        trade_off.draw, {"calibration": store.load(compared.dataset), "cfg": {}}, STYLE, svg, png
+    )
+    assert "backlash-P4a" in svg.read_text()

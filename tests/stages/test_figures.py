@@ -254,7 +254,7 @@ def inputs_of(results, name):
         files = {
             kind: [results[f"{state['case']}_{sweep}_{kind}"] for state in states] for kind in (*CLASSES, "branches")
         }
-        claims = [str(ROOT / "config" / "paper_claims.yaml")]
+        claims = [ROOT / "config" / "paper_claims.yaml"]
         return draw, files | {"claims": claims}, cfg | {"states": states, "order": "restart"}
     state = STATES[0 if name == 13 else 1]
     kind = "basins" if name == "basins" else "portraits"
@@ -266,7 +266,7 @@ def write(results, folder, name):
     draw, files, cfg = inputs_of(results, name)
     folder.mkdir(exist_ok=True)
     svg, png = folder / "figure.svg", folder / "figure.png"
-    sheet.write(draw, files | {"cfg": cfg}, STYLE, str(svg), str(png))
+    draw.write(files | {"cfg": cfg}, STYLE, svg, png)
     return svg, png
 
 

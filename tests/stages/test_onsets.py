@@ -12,7 +12,6 @@ from gearwear.codes.onset_codes import EVENTS, MET, ORDERS, PASSED_BY, VARIANTS
 from gearwear.config import ensemble
 from gearwear.config.slices import slice_of
 from gearwear.figures import onset_shifts
-from gearwear.figures.sheet import write
 from gearwear.io import store
 
 STYLE = str(Path(__file__).resolve().parents[2] / "workflow" / "report" / "gearwear.mplstyle")
@@ -82,7 +81,9 @@ def figure(shifts, folder):
     """Return the bytes of the figure as SVG and PNG."""
     folder.mkdir()
     svg, png = folder / "onsets.svg", folder / "onsets.png"
-    write(onset_shifts.draw, {"shifts": store.load(shifts), "cfg": {}}, STYLE, str(svg), str(png))
+    onset_shifts.draw.sheet.write(
+        onset_shifts.draw, {"shifts": store.load(shifts), "cfg": {}}, STYLE, str(svg), str(png)
+    )
     return [path.read_bytes() for path in (svg, png)]
 
 

@@ -13,7 +13,6 @@ from gearwear.chain.history import last_state, record, state_at
 from gearwear.config.histories import chains
 from gearwear.config.slices import slice_of
 from gearwear.figures import study_panels
-from gearwear.figures.sheet import write
 from gearwear.io import store
 from gearwear.studies.outcome import outcome
 
@@ -123,6 +122,6 @@ def test_from_the_chain_to_the_table_and_the_figure(config, chain, tmp_path):
         lives = [row["sentence"] for row in csv.DictReader(file)]
     assert len(lives) == 2 and "too cold" in lives[0] and "period 1 from 0 to 2e+08 revolutions" in lives[1]
     drawn = {"axes": [HEAT, AGE], "units": {HEAT: "degC", AGE: "1"}, "order": "restart"}
-    svg, png = (str(tmp_path / f"figure.{suffix}") for suffix in ("svg", "png"))
-    write(study_panels.draw, {"study": study, "cfg": drawn}, STYLE, svg, png)
-    assert "60 °C" in Path(svg).read_text()
+    svg, png = (tmp_path / f"figure.{suffix}" for suffix in ("svg", "png"))
+    study_panels.draw.write({"study": study, "cfg": drawn}, STYLE, svg, png)
+    assert "60 °C" in svg.read_text()

@@ -135,55 +135,53 @@ def study_axes(wildcards):
 # fmt: off
 STATES = {"states": drawn_states()}
 FIGURES = [
-    Figure("fig06", "flanks.draw_wear", of_states("wear"), STATES, "Flanks", "Fig. 06: wear depth"),
-    Figure("fig07", "flanks.draw_growth", of_states("deformation"), STATES, "Flanks", "Fig. 07: thermal growth"),
-    Figure("fig08", "excitations.draw_stiffness", of_states("mesh_stiffness", "transmission_error"), STATES,
+    Figure("fig06", "flanks:draw_wear", of_states("wear"), STATES, "Flanks", "Fig. 06: wear depth"),
+    Figure("fig07", "flanks:draw_growth", of_states("deformation"), STATES, "Flanks", "Fig. 07: thermal growth"),
+    Figure("fig08", "excitations:draw_stiffness", of_states("mesh_stiffness", "transmission_error"), STATES,
            "Excitations", "Fig. 08: mesh stiffness"),
-    Figure("fig09", "excitations.draw_transmission_error", of_states("transmission_error"), STATES,
+    Figure("fig09", "excitations:draw_transmission_error", of_states("transmission_error"), STATES,
            "Excitations", "Fig. 09: transmission error"),
-    Figure("fig10", "excitations.draw_lengths", of_states("deformation", "transmission_error", "wear"), STATES,
+    Figure("fig10", "excitations:draw_lengths", of_states("deformation", "transmission_error", "wear"), STATES,
            "Excitations", "Fig. 10: growth, deflection and wear"),
-    Figure("fig11", "excitations.draw_backlash", of_states("backlash"), STATES, "Excitations", "Fig. 11: backlash"),
-    *(Figure(f"fig{number}", "bifurcation.draw", of_sweep(sweep), sweep_cfg(sweep), "Dynamics",
+    Figure("fig11", "excitations:draw_backlash", of_states("backlash"), STATES, "Excitations", "Fig. 11: backlash"),
+    *(Figure(f"fig{number}", "bifurcation:draw", of_sweep(sweep), sweep_cfg(sweep), "Dynamics",
              f"Fig. {number}: diagram over the {quantity}")
       for number, sweep, quantity in ((12, "mesh_frequency", "mesh frequency"), (15, "ste", "transmission error"),
                                       (17, "backlash", "backlash"))),
-    *(Figure(f"fig{number}", "portraits.draw", {"portraits": f"results/{case}/portraits/{sweep}.nc"},
+    *(Figure(f"fig{number}", "portraits:draw", {"portraits": f"results/{case}/portraits/{sweep}.nc"},
              sweep_cfg(sweep, case), "Dynamics", f"Fig. {number}: portraits over the {quantity}")
       for number, case, sweep, quantity in ((13, "without", "mesh_frequency", "mesh frequency, cold"),
                                             (14, "with", "mesh_frequency", "mesh frequency, hot and worn"),
                                             (16, "with", "ste", "transmission error"),
                                             (18, "with", "backlash", "backlash"))),
-    Figure("portraits", "portraits.draw", {"portraits": "results/{case}/portraits/{sweep}.nc"}, drawn_case,
+    Figure("portraits", "portraits:draw", {"portraits": "results/{case}/portraits/{sweep}.nc"}, drawn_case,
            "Dynamics", "portraits of {case} over {sweep}", "figures/portraits_{case}_{sweep}"),
-    Figure("basins", "basin_panels.draw", {"basins": "results/{case}/basins/{sweep}.nc"}, drawn_case,
+    Figure("basins", "basin_panels:draw", {"basins": "results/{case}/basins/{sweep}.nc"}, drawn_case,
            "Dynamics", "basins of {case} over {sweep}", "figures/basins_{case}_{sweep}"),
-    Figure("wear_history", "history.draw", of_history("wear", "transmission_error"), {"states": worn_states()},
+    Figure("wear_history", "history:draw", of_history("wear", "transmission_error"), {"states": worn_states()},
            "Flanks", "wear history"),
-    Figure("contact_temperature", "flanks.draw_contact_temperature", of_states("temperature"), STATES,
+    Figure("contact_temperature", "flanks:draw_contact_temperature", of_states("temperature"), STATES,
            "Flanks", "contact temperature"),
-    Figure("load_sharing", "flanks.draw_load_sharing",
+    Figure("load_sharing", "flanks:draw_load_sharing",
            of_states("mesh_stiffness", "transmission_error", "response"), STATES, "Flanks", "load sharing"),
-    Figure("mesh_force", "mesh_force.draw", of_states("response"), STATES, "Dynamics", "mesh force"),
-    Figure("exponents", "exponents.draw", {"sweeps": main_sweeps()},
+    Figure("mesh_force", "mesh_force:draw", of_states("response"), STATES, "Dynamics", "mesh force"),
+    Figure("exponents", "exponents:draw", {"sweeps": main_sweeps()},
            {"panels": [sweep_cfg(sweep, case) for case, sweep in swept_cases()]}, "Dynamics", "exponents"),
-    Figure("map", "maps.draw", {"parameter_map": f"results/{config['maps']['case']}/maps/{{map}}.nc"}, map_state,
+    Figure("map", "maps:draw", {"parameter_map": f"results/{config['maps']['case']}/maps/{{map}}.nc"}, map_state,
            "Dynamics", "map {map}", "figures/map_{map}"),
-    Figure("onsets", "onset_shifts.draw", {"shifts": "results/onset_shifts.nc"}, {}, "Dynamics", "onsets"),
-    Figure("sensitivity", "tornado.draw", {"measures": "results/sensitivity.nc"}, {}, "Trust", "sensitivity"),
-    Figure("study", "study_panels.draw", {"study": "results/studies/{study}/study.nc"}, study_axes,
+    Figure("onsets", "onset_shifts:draw", {"shifts": "results/onset_shifts.nc"}, {}, "Dynamics", "onsets"),
+    Figure("sensitivity", "tornado:draw", {"measures": "results/sensitivity.nc"}, {}, "Trust", "sensitivity"),
+    Figure("study", "study_panels:draw", {"study": "results/studies/{study}/study.nc"}, study_axes,
            "Studies", "study {study}", "figures/study_{study}"),
-    Figure("calibration", "trade_off.draw", {"calibration": "results/calibration/calibration.nc"}, {},
+    Figure("calibration", "trade_off:draw", {"calibration": "results/calibration/calibration.nc"}, {},
            "Calibration", "trade-off"),
-    Figure("checks", "validation_group.draw",
+    Figure("checks", "validation_group:draw",
            {"checks": own("config", "validation.yaml"), "found": "results/validation/{group}.csv"}, {},
            "Validation", "{group}", "validation/{group}"),
 ]
 # fmt: on
-DRAWN = digest.digests(
-    {f"figures.{figure.draw.replace('.', ':')}" for figure in FIGURES},
-    MEMORY / "figures",
-)
+DRAWN = digest.digests({f"figures.{one.draw}" for one in FIGURES}, MEMORY / "figures")
+
 for figure in FIGURES:
     file = figure.file or f"figures/{figure.name}"
     job = f"plot_{file.removeprefix('figures/')}"
@@ -209,7 +207,7 @@ for figure in FIGURES:
         params:
             cfg=figure.cfg,
             draw=figure.draw,
-            code=DRAWN[f"figures.{figure.draw.replace('.', ':')}"],
+            code=DRAWN[f"figures.{figure.draw}"],
         message:
             "Drawing {output.svg}."
         script:

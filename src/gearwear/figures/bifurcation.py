@@ -52,7 +52,7 @@ def draw(
     up: Sequence[xr.Dataset],
     down: Sequence[xr.Dataset],
     branches: Sequence[xr.Dataset],
-    claims: Sequence[str],
+    claims: Sequence[Path],
     cfg: dict[str, Any],
 ) -> None:
     """Draw one diagram for every case, from top to bottom.
@@ -64,18 +64,12 @@ def draw(
     claims : at most one path, of the claims of the paper.
     cfg : `sweep`, its settings `swept`, the `order` shown first, and the `states` of the cases.
     """
-    stated = [claim for path in claims for claim in yaml.safe_load(Path(path).read_text())["claims"]]
-    diagrams = [
-        Diagram(
-            {name: one.sortby(cfg["sweep"]) for name, one in zip(sections.DIRECTIONS, sweeps, strict=True)},
-            followed,
-            list(windows(stated, cfg["sweep"], state["case"])),
-            state,
-        )
-        for *sweeps, followed, state in zip(
-            restart, up, down, branches or [None] * len(restart), cfg["states"], strict=True
-        )
-    ]
+    stated = [claim for path in claims for claim in yaml.safe_load(path.read_text(encoding="utf-8"))["claims"]]
+    diagrams = []
+    for place, (state, *sweeps) in enumerate(zip(cfg["states"], restart, up, down, strict=True)):
+        by_direction = {name: one.sortby(cfg["sweep"]) for name, one in zip(sections.DIRECTIONS, sweeps, strict=True)}
+        followed = branches[place] if branches else None
+        diagrams.append(Diagram(by_direction, followed, list(windows(stated, cfg["sweep"], state["case"])), state))
     total, top = _height(cfg), _height(cfg) - _TOP - _TITLE
     for position, diagram in enumerate(diagrams):
         strip = _place(figure, top - _STRIP, _STRIP, total)

@@ -5,6 +5,8 @@ Lines keep their jumps: they are open where a pair enters or leaves.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -42,7 +44,12 @@ def name_flanks(axes: Axes, geometry: xr.Dataset, member: str) -> None:
     """Write on both sides of the pitch point, above the frame, which part of the flank is in contact there."""
     ends = _millimetres(geometry, "start_of_contact", "pitch_point", "end_of_contact")
     parts = ("dedendum", "addendum") if member == "pinion" else ("addendum", "dedendum")
-    offset = {"xycoords": axes.get_xaxis_transform(), "textcoords": "offset points", "ha": "center", "va": "bottom"}
+    offset: dict[str, Any] = {
+        "xycoords": axes.get_xaxis_transform(),
+        "textcoords": "offset points",
+        "ha": "center",
+        "va": "bottom",
+    }
     for low, high, part in zip(ends[:-1], ends[1:], parts, strict=True):
         axes.annotate(part, ((low + high) / 2, 1), (0, 2), color=_MARK, **offset)
 

@@ -17,7 +17,7 @@ from gearwear.figures.sheet import DOUBLE, SINGLE, legend_above, letter, sheet
 from gearwear.geometry.path_mean import path_mean
 
 _STIFFNESS = {"nominal": (), "effective": (3, 1.2)}  # dashes
-_LENGTHS = {
+_LENGTHS: dict[str, dict[str, Any]] = {
     "growth of the four flanks": {"color": "#D55E00", "dashes": ()},
     "elastic deflection": {"color": "#0072B2", "dashes": (5, 1.4)},
     "wear of both flanks": {"color": "#000000", "dashes": (5, 1.4, 1, 1.4)},

@@ -45,6 +45,11 @@ def colour(name: str) -> str:
     return _UNDECIDED if name == "not_converged" else _COLOURS.get(name, _OTHER_PERIOD)
 
 
+def rank(name: str) -> tuple[int, str]:
+    """Return a key that sorts names of classes: by period, then quasi-periodic, chaotic and undecided."""
+    return (int(name[1:]) if name[1:].isdecimal() else 1000, name)
+
+
 def runs(swept: np.ndarray, names: Sequence[str]) -> list[tuple[float, float, str]]:
     """Return (low, high, class) of neighbours of one class, meeting midway between points; `swept` ascends."""
     middles = (swept[1:] + swept[:-1]) / 2

@@ -15,7 +15,7 @@ from matplotlib.lines import Line2D
 
 from gearwear.compare import results_folder
 from gearwear.errors import BadFile
-from gearwear.figures import contact_axes
+from gearwear.figures import contact_axes, labels, sections
 from gearwear.figures.sheet import DOUBLE, MILLIMETRE, SINGLE
 from gearwear.io.atomic import atomic
 
@@ -161,17 +161,16 @@ def _over_the_mesh(name: str, scale: float) -> Draw:
 
 
 def _sections(axes: Axes, _pair: xr.Dataset, sweep: xr.Dataset, line: dict[str, Any]) -> None:
-    displacement, period = sweep["section_displacement"].values, sweep["period"].values[:, None]
-    drawn = (np.arange(displacement.shape[1]) < period) | (period == 0)
+    displacement, dots = sweep["section_displacement"].values, np.logical_or(*sections.chosen(sweep))
     place = np.broadcast_to(sweep["mesh_frequency"].values[:, None], displacement.shape)
-    axes.plot(place[drawn], displacement[drawn], ".", markersize=0.8, color=line["color"], rasterized=True)
-    axes.set_xlabel("Mesh frequency over natural frequency")
+    axes.plot(place[dots], displacement[dots], ".", markersize=0.8, color=line["color"], rasterized=True)
+    axes.set_xlabel(labels.SWEEPS["mesh_frequency"])
 
 
 def _exponents(axes: Axes, _pair: xr.Dataset, sweep: xr.Dataset, line: dict[str, Any]) -> None:
     axes.plot(sweep["mesh_frequency"].values, sweep["lyapunov_exponent"].values, **line)
     axes.axhline(0, color="black", linewidth=0.4)
-    axes.set_xlabel("Mesh frequency over natural frequency")
+    axes.set_xlabel(labels.SWEEPS["mesh_frequency"])
 
 
 _WEAR, _GROWTH, _ERROR = "wear/q*.nc", "deformation.nc", "transmission_error/q*.nc"

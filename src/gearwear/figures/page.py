@@ -6,11 +6,11 @@ import base64
 from collections.abc import Sequence
 from typing import Any
 
-import jinja2
 import numpy as np
 import xarray as xr
 
 from gearwear.figures import labels, motion_classes, sections
+from gearwear.io.tables import render
 from gearwear.oscillator.spectrum import spectrum
 
 HIGHEST = 10  # order of the mesh frequency
@@ -80,15 +80,14 @@ def page(template: str, program: str, records: Sequence[dict[str, Any]]) -> str:
     program : its JavaScript.
     records : as `record` gives them.
     """
-    environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
-    names = sorted({name for one in records for name in one["class"]}, key=_rank)
+    names = sorted({name for one in records for name in one["class"]}, key=motion_classes.rank)
     colour = {name: motion_classes.colour(name) for name in names}
     key: dict[str, str] = {}
     for name, tint in colour.items():
         key[tint] = "other period" if tint in key else name.replace("not_converged", "not decided")
     data = {"colour": colour, "highest": HIGHEST, "sweeps": list(records)}
     shown = {"data": data, "program": program, "records": records, "key": key, "longest": records[0]["longest"]}
-    return environment.from_string(template).render(shown)
+    return render(template, **shown)
 
 
 def _lines(force: np.ndarray, steps: int) -> np.ndarray:
@@ -112,7 +111,3 @@ def _packed(values: np.ndarray) -> dict[str, Any]:
 
 def _text(values: np.ndarray) -> str:
     return base64.b64encode(values.tobytes()).decode("ascii")
-
-
-def _rank(name: str) -> tuple[int, str]:
-    return (int(name[1:]) if name[1:].isdecimal() else 1000, name)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import jinja2
 import numpy as np
 import xarray as xr
 
 from gearwear.errors import BadFile
 from gearwear.figures import motion_classes
+from gearwear.io.tables import render
 
 _MARGIN = 0.5  # of the width of a window, shown on either side of it
 _LEAST_SPAN = 0.05  # of the swept range: a window of one point is shown with its neighbours
@@ -50,18 +50,13 @@ def page(
     left_out = len(rows) - sum(len(group["rows"]) for group in groups)
     if left_out:
         raise BadFile(f"claims: {left_out} belong to no group of the page; name their figures in figures/scorecard.py")
-    names = sorted({zone["name"] for row in shown for strip in row["strips"] for zone in strip["zones"]}, key=_rank)
-    environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
-    key = [{"name": name, "colour": motion_classes.colour(name)} for name in names]
-    return environment.from_string(template).render(groups=groups, key=key, agree=_agree(rows), total=len(rows))
+    names = {zone["name"] for row in shown for strip in row["strips"] for zone in strip["zones"]}
+    key = [{"name": name, "colour": motion_classes.colour(name)} for name in sorted(names, key=motion_classes.rank)]
+    return render(template, groups=groups, key=key, agree=_agree(rows), total=len(rows))
 
 
 def _agree(rows: Sequence[Mapping[str, str]]) -> int:
     return sum(row["verdict"] == "agree" for row in rows)
-
-
-def _rank(name: str) -> tuple[int, str]:
-    return (int(name[1:]) if name[1:].isdecimal() else 1000, name)
 
 
 def _strips(claim: Mapping[str, Any], sweeps: Mapping[tuple[str, str], xr.Dataset]) -> list[dict[str, Any]]:

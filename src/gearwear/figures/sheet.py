@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Literal, NamedTuple, TypeVar
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
 
 import matplotlib.style
 from matplotlib.artist import Artist
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from gearwear.io.atomic import atomic
@@ -15,61 +18,58 @@ SINGLE, DOUBLE = 85.0, 175.0  # column widths, mm
 MILLIMETRE = 1 / 25.4  # inch
 _MOST_COLUMNS = 4  # of a legend: more run off a sheet of two columns' width
 
-Draw = TypeVar("Draw", bound=Callable[..., None])
 
+@dataclass(frozen=True)
+class Drawing:
+    """A draw function, the size (mm) and layout engine of its sheet, and the variables that are read of its inputs."""
 
-class Sheet(NamedTuple):
-    """Size (mm), layout engine, and the variables that are read of inputs of many files (None: all)."""
-
+    draw: Callable[..., None]
     width: float
     height: float | Callable[..., float]
     layout: Literal["constrained"] | None
-    variables: Mapping[str, Sequence[str]]
+    variables: Mapping[str, tuple[str, ...]]
+
+    def __call__(self, figure: Figure, *inputs: Any, **named: Any) -> None:
+        """Draw on a figure."""
+        self.draw(figure, *inputs, **named)
+
+    def write(self, inputs: Mapping[str, Any], style: str | Path, svg: str | Path, png: str | Path) -> None:
+        """Draw a figure and write it as SVG and PNG, both complete or not at all.
+
+        Parameters
+        ----------
+        inputs : arguments of the draw function by name: datasets, paths of other files, lists of either, settings.
+        style : a style of matplotlib.
+        svg, png : paths of the files; both name the lineages of the datasets as their source.
+        """
+        height = self.height(**inputs) if callable(self.height) else self.height
+        with matplotlib.style.context(style, after_reset=True):
+            figure = Figure(figsize=(self.width * MILLIMETRE, height * MILLIMETRE), layout=self.layout)
+            self.draw(figure, **inputs)
+            source = " ".join(["gearwear", *_lineages(inputs)])
+            with atomic(svg) as vector, atomic(png) as pixels:
+                figure.savefig(vector, format="svg", metadata={"Date": None, "Creator": None, "Source": source})
+                # with the layout of the first file, and without a second drawing to find one: half the time of savefig
+                figure.set_layout_engine("none")
+                figure.set_dpi(matplotlib.rcParams["savefig.dpi"])
+                FigureCanvasAgg(figure).print_png(pixels, metadata={"Software": None, "Source": source})
 
 
 def sheet(
     width: float,
     height: float | Callable[..., float],
     layout: Literal["constrained"] | None = "constrained",
-    variables: Mapping[str, Sequence[str]] | None = None,
-) -> Callable[[Draw], Draw]:
-    """Give a draw function its sheet, as its attribute `sheet`.
+    variables: Mapping[str, tuple[str, ...]] | None = None,
+) -> Callable[[Callable[..., None]], Drawing]:
+    """Give a draw function its sheet.
 
     Parameters
     ----------
     width, height : mm; a function for the height takes the arguments of the draw function but the figure, by name.
     layout : layout engine; None where the draw function places its axes itself.
-    variables : what is read of an input, by its name; of other inputs everything.
+    variables : to read of an input, by its name; of an input that is not named, all.
     """
-
-    def give(draw: Draw) -> Draw:
-        draw.sheet = Sheet(width, height, layout, variables or {})  # type: ignore[attr-defined]
-        return draw
-
-    return give
-
-
-def write(draw: Callable[..., None], inputs: Mapping[str, Any], style: str, svg: str, png: str) -> None:
-    """Draw a figure and write it as SVG and PNG, both complete or not at all.
-
-    Parameters
-    ----------
-    draw : function of the figure and of `inputs`, with a sheet.
-    inputs : datasets, lists of datasets, paths of other files, and settings, by name.
-    style : path of a style of matplotlib.
-    svg, png : paths of the files; both name the lineages of the datasets as their source.
-    """
-    width, height, layout, _ = draw.sheet  # type: ignore[attr-defined]
-    if callable(height):
-        height = height(**inputs)
-    with matplotlib.style.context(style, after_reset=True):
-        figure = Figure(figsize=(width * MILLIMETRE, height * MILLIMETRE), layout=layout)
-        draw(figure, **inputs)
-        source = " ".join(["gearwear", *_lineages(inputs)])
-        with atomic(svg) as vector, atomic(png) as pixels:
-            figure.savefig(vector, format="svg", metadata={"Date": None, "Creator": None, "Source": source})
-            figure.set_layout_engine("none")  # the second file has the places of the first: to find them takes a third
-            figure.savefig(pixels, format="png", metadata={"Software": None, "Source": source})
+    return lambda draw: Drawing(draw, width, height, layout, variables or {})
 
 
 def letter(position: int) -> str:

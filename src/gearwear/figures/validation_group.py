@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -41,12 +42,12 @@ def height(outcomes: Sequence[Outcome]) -> float:
     return _TOP + _ROW * len(outcomes) + _BOTTOM + lines * (_TOP + _PANEL + _BOTTOM)
 
 
-def _height(checks: str, found: str, **_) -> float:
+def _height(checks: Path, found: Path, **_) -> float:
     return height(_outcomes(checks, found))
 
 
 @sheet(DOUBLE, _height, layout=None)
-def draw(figure: Figure, checks: str, found: str, cfg: dict[str, Any]) -> None:
+def draw(figure: Figure, checks: Path, found: Path, cfg: dict[str, Any]) -> None:
     """Draw the group of checks whose numbers are in the CSV file `found`.
 
     Parameters
@@ -57,7 +58,7 @@ def draw(figure: Figure, checks: str, found: str, cfg: dict[str, Any]) -> None:
 
 
 @lru_cache(1)
-def _outcomes(checks: str, found: str) -> list[Outcome]:
+def _outcomes(checks: Path, found: Path) -> list[Outcome]:
     return merged(read(checks), read_rows(found))
 
 

@@ -6,8 +6,7 @@ import base64
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-import jinja2
-
+from gearwear.io.tables import render
 from gearwear.validation.outcomes import AGREES, Outcome, summary
 
 
@@ -27,8 +26,7 @@ def page(template: str, outcomes: Sequence[Outcome], titles: Mapping[str, str], 
         image = base64.b64encode(figures[name]).decode("ascii")
         groups.append({"title": title, "checks": [_shown(one) for one in members], "image": image})
         groups[-1]["agree"] = sum(one.verdict == AGREES for one in members)
-    environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
-    return environment.from_string(template).render(groups=groups, summary=summary(list(outcomes)))
+    return render(template, groups=groups, summary=summary(list(outcomes)))
 
 
 def _shown(outcome: Outcome) -> dict[str, Any]:

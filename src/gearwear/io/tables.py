@@ -31,11 +31,15 @@ def page_of(table: Table, template: Path, title: str) -> str:
     ----------
     template : file of a Jinja template with `title`, `columns` and `rows`.
     """
+    return render(template.read_text(encoding="utf-8"), title=title, columns=table.columns, rows=table.rows)
+
+
+def render(template: str, **values: Any) -> str:
+    """Return a Jinja template with values in their places, all text escaped."""
     import jinja2  # most tables need no page
 
     environment = jinja2.Environment(autoescape=True, trim_blocks=True, lstrip_blocks=True)
-    page = environment.from_string(template.read_text(encoding="utf-8"))
-    return page.render(title=title, columns=table.columns, rows=table.rows)
+    return environment.from_string(template).render(values)
 
 
 def write_csv(path: str | Path, columns: Iterable[str], rows: Iterable[Iterable[Any]]) -> None:

@@ -65,17 +65,16 @@ def run_figure(job: Any) -> None:
 
     Parameters
     ----------
-    job : `params.draw` is the draw function, as `module.function` of gearwear.figures; its other arguments are the
+    job : `params.draw` is the draw function, as `module:function` of gearwear.figures; its other arguments are the
         inputs of the rule and `params.cfg`.
     """
-    from gearwear.figures.sheet import write as write_figure
-
-    module, function = job.params.draw.split(".")
-    with logged(job, {f"figures.{module}:{function}": job.params.code}):
-        draw = getattr(import_module(f"gearwear.figures.{module}"), function)
-        inputs = load(job, draw.sheet.variables)
-        style = str(inputs.pop("style"))
-        write_figure(draw, inputs | {"cfg": job.params.cfg}, style, job.output.svg, job.output.png)
+    target = f"figures.{job.params.draw}"
+    with logged(job, {target: job.params.code}):
+        module, function = target.split(":")
+        draw = getattr(import_module(f"gearwear.{module}"), function)
+        inputs = load(job, draw.variables)
+        style = inputs.pop("style")
+        draw.write(inputs | {"cfg": job.params.cfg}, style, job.output.svg, job.output.png)
 
 
 @contextmanager
