@@ -1,7 +1,5 @@
 """What the file of an excitation holds, and that it comes back to the last bit."""
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 import xarray as xr
@@ -48,7 +46,5 @@ def made(stiffness, shape, clearance, ratio=1.1):
 )
 def test_an_excitation_comes_back_from_its_file_to_the_last_bit(source, tmp_path):
     path = tmp_path / "excitation.nc"
-    params = SimpleNamespace(cfg={}, code="0" * 16)
-    job = SimpleNamespace(rule="build_excitation", input={}, output=[str(path)], params=params)
-    store.save(xr.Dataset(columns(source)), job)
+    store.save(xr.Dataset(columns(source)), path, store.Origin("excitation", {}, "0" * 16))
     assert repr(recorded(store.load(path))) == repr(source)  # nan is not equal to itself, its text is

@@ -7,7 +7,8 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
-from gearwear.integrate.strobe import BLOW_UP, monodromy, strobe, visited
+from gearwear.integrate.status import BLOW_UP
+from gearwear.integrate.strobe import monodromy, strobe, visited
 from gearwear.integrate.strobe_many import strobe_many
 from gearwear.oscillator.oscillator import ExternalTorque, Oscillator
 from gearwear.oscillator.periodic import Harmonics, PeriodicTable

@@ -6,6 +6,7 @@ from gearwear.run import token
 from gearwear.run.lock import LOCK
 
 CONFIG = {"wear": {"pressure": 1.0}, "cases": {"with": {"running_cycles": 1e8}}}
+KEY = "0" * 16  # of the sources of the package
 
 
 @pytest.fixture
@@ -29,16 +30,17 @@ def working(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("name, text", [("stage.py", "X = 2\n"), ("rules/state.smk", "rule two:\n"), ("new.py", "")])
 def test_the_plan_follows_every_source(sources, name, text):
-    before = token.plan_of(CONFIG, sources)
+    before = token.plan_of(CONFIG, sources, KEY)
     (sources / name).write_text(text)
-    assert token.plan_of(CONFIG, sources) != before
+    assert token.plan_of(CONFIG, sources, KEY) != before
 
 
 def test_the_plan_follows_the_settings_but_not_their_order_nor_other_files(sources):
-    before = token.plan_of(CONFIG, sources)
+    before = token.plan_of(CONFIG, sources, KEY)
     (sources / "notes.md").write_text("other notes\n")
-    assert token.plan_of(dict(reversed(CONFIG.items())), sources) == before
-    assert token.plan_of(CONFIG | {"wear": {"pressure": 2.0}}, sources) != before
+    assert token.plan_of(dict(reversed(CONFIG.items())), sources, KEY) == before
+    assert token.plan_of(CONFIG | {"wear": {"pressure": 2.0}}, sources, KEY) != before
+    assert token.plan_of(CONFIG, sources, "of other sources") != before
 
 
 def test_a_job_that_finds_the_plan_goes_on(working):

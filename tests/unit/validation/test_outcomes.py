@@ -2,7 +2,7 @@
 
 import pytest
 
-from gearwear.io.tables import write_rows
+from gearwear.io.tables import Table, write_csv
 from gearwear.validation import outcomes
 from gearwear.validation.checks import Check
 from gearwear.validation.outcomes import AGREES, DIFFERS, Outcome
@@ -51,7 +51,7 @@ def test_unknown_quantities_and_other_counts_are_refused(quantities, words):
 def test_a_table_read_again_gives_the_same_outcomes(tmp_path):
     first = Outcome(CHECK, (1.0 + 1 / 3, 2.0))
     second = Outcome(CHECK._replace(id="two", differs="it is known to"), (7.0, 2.0))
-    write_rows(outcomes.rows([first, second]), tmp_path / "table.csv")
+    write_csv(tmp_path / "table.csv", *Table.of(outcomes.rows([first, second])))
     rows = outcomes.read_rows(tmp_path / "table.csv")
     assert [row["verdict"] for row in rows] == [AGREES, AGREES, DIFFERS, AGREES]
     assert rows[2]["note"] == "it is known to"
