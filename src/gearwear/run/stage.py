@@ -32,7 +32,7 @@ def run(job: Any) -> None:
     ((stage, code),) = job.params.code.items()
     with logged(job, {stages.target_of(stage): code}):
         inputs = load(job, stages.VARIABLES.get(stage, {}))
-        available = {**dict(job.wildcards.items()), "cfg": job.params.cfg, **inputs}
+        available = {**wildcards(job), "cfg": job.params.cfg, **inputs}
         function = stages.function_of(stage)
         made = function(**{name: available[name] for name in signature(function).parameters})
         write(made, job.output, origin(stage, job.params.cfg, code, inputs))
@@ -146,6 +146,15 @@ def load(job: Any, variables: Mapping[str, tuple[str, ...]]) -> dict[str, Any]:
         for name, paths in job.input.items()
     }
     inputs.check(job.input, found, job.config)
+    return found
+
+
+def wildcards(job: Any) -> dict[str, Any]:
+    """Return the wildcards of a job by name; `part`, every n-th of some points, is what the n-th of m parts has."""
+    found = dict(job.wildcards.items())
+    if "scatteritem" in found:
+        first, parts = (int(word) for word in found["scatteritem"].split("-of-"))
+        found["part"] = slice(first - 1, None, parts)
     return found
 
 

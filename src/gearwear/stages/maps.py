@@ -13,7 +13,6 @@ from gearwear.io.store import together
 from gearwear.motions import parameter_map
 from gearwear.oscillator.excitation import excitation, swept_oscillator
 from gearwear.run.stage import log
-from gearwear.stages.parts import indices
 
 
 def map_tile(
@@ -26,7 +25,7 @@ def map_tile(
     reference_error: xr.Dataset,
     wear: list[xr.Dataset],
     map: str,
-    scatteritem: str,
+    part: slice,
 ) -> xr.Dataset:
     """Return some rows of the map over the transmission error or the backlash of one state, or over states of wear.
 
@@ -34,6 +33,7 @@ def map_tile(
     ----------
     mesh_stiffness, transmission_error, backlash, wear : of the state that all rows share, or of every row.
     map : `ste`, `backlash` or `wear`.
+    part : of the rows.
     """
     dynamics, torque = cfg["dynamics"], cfg["operation"]["pinion_torque"]
     frequencies = parameter_map.values(cfg["maps"]["mesh_frequency"])
@@ -42,7 +42,7 @@ def map_tile(
         rows = np.array([float(one["running_cycles"]) for one in wear])
     else:
         rows = parameter_map.values(cfg["maps"][map])
-        rows = rows[indices(len(rows), scatteritem)]
+        rows = rows[part]
 
     def row(place, value):
         parts = (
@@ -59,7 +59,7 @@ def map_tile(
     return parameter_map.tile(map, rows, frequencies, (row(*one) for one in enumerate(rows)), cfg)
 
 
-def temperature_map_tile(cfg: dict[str, Any], histories: list[xr.Dataset], scatteritem: str) -> xr.Dataset:
+def temperature_map_tile(cfg: dict[str, Any], histories: list[xr.Dataset], part: slice) -> xr.Dataset:
     """Return some rows of the map over the bulk temperature.
 
     Parameters
@@ -74,7 +74,7 @@ def temperature_map_tile(cfg: dict[str, Any], histories: list[xr.Dataset], scatt
     settings = cfg["map"]
     dynamics, maps = settings["dynamics"], settings["maps"]
     frequencies, rows = parameter_map.values(maps["mesh_frequency"]), parameter_map.values(maps["temperature"])
-    rows = rows[indices(len(rows), scatteritem)]
+    rows = rows[part]
 
     def row(history, temperature):
         try:

@@ -23,7 +23,6 @@ from gearwear.oscillator.excitation import SweptOscillator
 from gearwear.oscillator.excitation import excitation as excitation_of
 from gearwear.oscillator.excitation_variables import columns, recorded
 from gearwear.oscillator.prescribed import given_excitation
-from gearwear.stages.parts import indices
 
 
 def excitation(
@@ -47,11 +46,10 @@ def prescribed_excitation(cfg: dict[str, Any], case: str) -> xr.Dataset:
     return xr.Dataset(columns(given_excitation(cfg["oscillators"][case])))
 
 
-def sweep_part(cfg: dict[str, Any], excitation: xr.Dataset, sweep: str, scatteritem: str) -> xr.Dataset:
-    """Return every n-th point of a sweep from rest."""
+def sweep_part(cfg: dict[str, Any], excitation: xr.Dataset, sweep: str, part: slice) -> xr.Dataset:
+    """Return a part of the points of a sweep from rest."""
     swept, settling = _swept(cfg, excitation, sweep)
-    values = _values(swept)
-    return swept_motions(swept, values[indices(len(values), scatteritem)], settling)
+    return swept_motions(swept, _values(swept)[part], settling)
 
 
 def sweep(cfg: dict[str, Any], excitation: xr.Dataset, parts: list[xr.Dataset], sweep: str) -> dict[str, xr.Dataset]:

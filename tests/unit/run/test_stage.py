@@ -257,3 +257,19 @@ def test_a_shell_may_stand_between_workflow_and_job(tmp_path):
     command = f"{shlex.join([sys.executable, str(runner), str(log)])}; true"
     run = subprocess.run(command, shell=True, env=environment, capture_output=True, text=True)
     assert "at work" in log.read_text() and run.stderr == ""
+
+
+@pytest.mark.parametrize("parts", [1, 2, 3, 7, 20])
+def test_every_point_belongs_to_one_part(parts):
+    points = np.arange(11)
+    dealt = [
+        points[stage.wildcards(SimpleNamespace(wildcards={"scatteritem": f"{part}-of-{parts}"}))["part"]]
+        for part in range(1, parts + 1)
+    ]
+    assert sorted(np.concatenate(dealt)) == list(range(11))
+    assert max(map(len, dealt)) - min(map(len, dealt)) <= 1
+
+
+def test_neighbours_go_to_different_parts():
+    job = SimpleNamespace(wildcards={"scatteritem": "2-of-4"})
+    assert np.arange(11)[stage.wildcards(job)["part"]].tolist() == [1, 5, 9]
