@@ -1,8 +1,8 @@
 """The wear history: geometry, temperature, growth, and three rules a wear cycle, each a link of the chain."""
 
-from inspect import signature
 
-from gearwear.chain.history import CYCLE
+from gearwear.chain.cycle import CYCLE
+from gearwear.run.stages import arguments_of
 
 UPDATES = {case: updates_of(config, case) for case in config["cases"]}
 BLOCKS = blocks(UPDATES, config["jobs"]["wear_cycles"])
@@ -130,9 +130,8 @@ MESSAGES = {
 # Where blocks make the chain, single links make members and what is unworn.
 LINKED = f"({MEMBER})?" if not BLOCKS else f"{MEMBER}|(?=[^/]+/[^/]+/q000)"
 
-for link, made in CYCLE.items():
-    name = link.__name__
-    inputs = [one for one in signature(link).parameters if one != "cfg"]
+for name, made in CYCLE.items():
+    inputs = [one for one in arguments_of(name) if one != "cfg"]
 
     rule:
         name:
@@ -167,7 +166,7 @@ for (first, end), worn in BLOCKS.items():
             **{
                 one: input_of(one, f"{first - 1:03d}")
                 for one in dict.fromkeys(
-                    name for link in CYCLE for name in signature(link).parameters
+                    name for link in CYCLE for name in arguments_of(link)
                 )
                 if one not in ("cfg", "backlash")
             },
@@ -189,9 +188,9 @@ for (first, end), worn in BLOCKS.items():
         priority: 10
         params:
             cfg=lambda wildcards: {
-                link.__name__: cfg(link.__name__)(wildcards) for link in CYCLE
+                link: cfg(link)(wildcards) for link in CYCLE
             },
-            code=code(*(link.__name__ for link in CYCLE)),
+            code=code(*CYCLE),
         message:
             f"Case {{wildcards.case}}: wear cycles {first} to {end} in one job."
         script:

@@ -1,4 +1,4 @@
-"""The wear history of a case: what a wear cycle consists of, and whole histories in one process."""
+"""The wear history of a case, computed in one process."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from gearwear.chain.cycle import CYCLE
 from gearwear.chain.deformation import deformation
 from gearwear.chain.geometry import geometry
 from gearwear.chain.mesh import mesh_excitation
@@ -18,12 +19,6 @@ from gearwear.chain.wear import unworn, wear
 from gearwear.errors import Infeasible
 from gearwear.io.store import together
 
-# The stages of a wear cycle in their order, and the results that each makes.
-CYCLE: dict[Callable[..., Any], tuple[str, ...]] = {
-    wear: ("wear",),
-    mesh_excitation: ("mesh_stiffness", "transmission_error", "backlash"),
-    response: ("response",),
-}
 _MESH = ("mesh_stiffness", "effective_stiffness", "transmission_error")
 _KEPT = (*_MESH, "backlash", "initial_half_backlash", "wear_depth", "running_cycles")
 
@@ -36,7 +31,7 @@ def results_of(stage: Callable[..., Any], available: Mapping[str, Any]) -> dict[
     available : the arguments of the stage, and others, by name.
     """
     made = stage(**{name: available[name] for name in signature(stage).parameters})
-    return made if isinstance(made, dict) else {CYCLE[stage][0]: made}
+    return made if isinstance(made, dict) else {CYCLE[stage.__name__][0]: made}
 
 
 def states(

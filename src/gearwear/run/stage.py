@@ -45,18 +45,19 @@ def run_block(job: Any) -> None:
     ----------
     job : `params.cfg` and `params.code` hold those of every stage by its name, every output the files of all cycles.
     """
-    from gearwear.chain.history import CYCLE, results_of
+    from gearwear.chain.cycle import CYCLE
+    from gearwear.chain.history import results_of
     from gearwear.io.store import load as read
 
     with logged(job, {stages.target_of(stage): code for stage, code in job.params.code.items()}):
         available = load(job, {})
         for place in range(len(job.output.wear)):
             for stage, names in CYCLE.items():
-                cfg, code = job.params.cfg[stage.__name__], job.params.code[stage.__name__]
-                used = {name: available[name] for name in signature(stage).parameters if name != "cfg"}
-                made = results_of(stage, {"cfg": cfg, **used})
+                cfg, code, function = job.params.cfg[stage], job.params.code[stage], stages.function_of(stage)
+                used = {name: available[name] for name in signature(function).parameters if name != "cfg"}
+                made = results_of(function, {"cfg": cfg, **used})
                 files = {name: job.output[name][place] for name in names}
-                write(made, files, origin(stage.__name__, cfg, code, used))
+                write(made, files, origin(stage, cfg, code, used))
                 available |= {name: read(file) for name, file in files.items()}
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 _STAGES = {
@@ -42,3 +44,11 @@ def target_of(stage: str) -> str:
 def function_of(stage: str) -> Any:
     """Return the function of a stage."""
     return getattr(import_module(f"gearwear.{MODULES[stage]}"), stage)
+
+
+def arguments_of(stage: str) -> list[str]:
+    """Return the names of the arguments of a stage, read from its source: planning does without the numerics."""
+    module = Path(__file__).resolve().parents[1].joinpath(*MODULES[stage].split(".")).with_suffix(".py")
+    definitions = ast.parse(module.read_text(encoding="utf-8")).body
+    arguments = next(one.args for one in definitions if isinstance(one, ast.FunctionDef) and one.name == stage)
+    return [argument.arg for argument in arguments.args]
