@@ -204,6 +204,8 @@ for figure in FIGURES:
             f"results/logs/{job}.log",
         benchmark:
             f"results/benchmarks/{job}.tsv"
+        # the first figures need no wear: they come before its chain
+        priority: 20 if set(figure.inputs) <= {"geometry", "temperature", "deformation"} else 0
         params:
             cfg=figure.cfg,
             draw=figure.draw,

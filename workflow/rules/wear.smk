@@ -1,6 +1,5 @@
 """The wear history: geometry, temperature, growth, and three rules a wear cycle, each a link of the chain."""
 
-
 from gearwear.chain.cycle import CYCLE
 from gearwear.run.stages import arguments_of
 
@@ -15,6 +14,7 @@ rule geometry:
         "results/logs/{root}geometry.log",
     benchmark:
         "results/benchmarks/{root}geometry.tsv"
+    priority: 20
     params:
         cfg=cfg("geometry"),
         code=code("geometry"),
@@ -33,6 +33,7 @@ rule temperature:
         "results/logs/{root}{case}/temperature.log",
     benchmark:
         "results/benchmarks/{root}{case}/temperature.tsv"
+    priority: 20
     params:
         cfg=cfg("temperature"),
         code=code("temperature"),
@@ -56,6 +57,7 @@ rule deformation:
         "results/logs/{root}{case}/deformation.log",
     benchmark:
         "results/benchmarks/{root}{case}/deformation.tsv"
+    priority: 20
     params:
         cfg=cfg("deformation"),
         code=code("deformation"),
@@ -93,6 +95,7 @@ rule unworn:
         "results/logs/{root}{case}/unworn.log",
     benchmark:
         "results/benchmarks/{root}{case}/unworn.tsv"
+    priority: 20
     params:
         cfg=cfg("unworn"),
         code=code("unworn"),
@@ -187,9 +190,7 @@ for (first, end), worn in BLOCKS.items():
             case="|".join(worn),
         priority: 10
         params:
-            cfg=lambda wildcards: {
-                link: cfg(link)(wildcards) for link in CYCLE
-            },
+            cfg=lambda wildcards: {link: cfg(link)(wildcards) for link in CYCLE},
             code=code(*CYCLE),
         message:
             f"Case {{wildcards.case}}: wear cycles {first} to {end} in one job."
