@@ -1,6 +1,6 @@
 """The map whose fixed points are periodic orbits: the oscillator seen once every so many mesh periods.
 
-The restoring force is continuous, so the map has a continuous derivative, also where a motion grazes a corner of the
+The restoring force is continuous, so the map has a continuous derivative, also where a motion grazes an end of the
 backlash: there the monodromy matrix changes as the square root of the distance. Newton's method therefore converges
 everywhere, near a grazing orbit with order 3/2 instead of 2, and test functions made of the matrix stay continuous.
 """

@@ -15,7 +15,10 @@ def count_all(constants, harmonics, cells, places):
     """(points,) number of cells of every oscillator; arguments as in run_many."""
     counts = np.empty(constants.shape[0], np.int64)
     for p in range(constants.shape[0]):
-        counts[p] = cell_counts(constants[p], harmonics[p], cells[places[p] : places[p + 1]]).sum()
+        parts = cell_counts(constants[p], harmonics[p], cells[places[p] : places[p + 1]])
+        counts[p] = 0
+        for n in range(parts.size):
+            counts[p] += parts[n]
     return counts
 
 
@@ -49,10 +52,11 @@ def run_many(
     group, slack = np.zeros(LANES, np.int64), np.zeros(3 * LANES)
     for begin in range(0, points, LANES):
         own[:] = 0
+        longest = 0
         for lane in range(min(LANES, points - begin)):
             group[lane] = order[begin + lane]
             own[lane] = counts[group[lane]]
-        longest = own.max()
+            longest = max(longest, own[lane])
         rows = np.empty((LANES * longest, 3, WIDTH))
         plain = np.empty((longest, PLAIN * LANES))
         for lane in range(LANES):

@@ -1,6 +1,6 @@
 """The tabulated affine map of one oscillator over whole forcing periods: the readable specification.
 
-Nearly all cells are passed in one step of a tabulated affine map; a cell that may hold a corner goes through
+Nearly all cells are passed in one step of a tabulated affine map; a cell that may hold a switching point goes through
 cell_crossing. The branch at mesh phase 0 is that of the state there: the map of a period is a function of it alone.
 """
 
@@ -44,7 +44,7 @@ THIRD = 1.0 / 3.0
 
 @njit_inline
 def stays(side, x, v, x1, v1, half, low, high, slack_x, slack_v, slack_1):
-    """Whether a cell is passed on one branch for sure: the hull of cell_exit lies between the corners or beyond."""
+    """Whether a cell is passed on one branch for sure: the hull of cell_exit keeps its side of the switching points."""
     q1, q3 = x + 0.5 * half * v, x1 - 0.5 * half * v1
     q2 = 0.5 * (x + x1) + THIRD * half * (v - v1)
     slack = slack_x * abs(x) + slack_v * abs(v) + slack_1

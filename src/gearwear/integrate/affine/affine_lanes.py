@@ -1,8 +1,8 @@
 """The tabulated affine map of sixteen oscillators side by side: affine_flow for the vector registers of a processor.
 
-Every lane has its own table and meets its own corners, by the same operations in the same order as in affine_flow: its
-results are those of affine_flow to the last bit, whatever its neighbours are. The lanes share nothing but the loop over
-cells; one with fewer cells, or none to run, stands still in cells that change nothing.
+Every lane has its own table and meets its own switching points, by the same operations in the same order as in
+affine_flow: its results are those of affine_flow to the last bit, whatever its neighbours are. The lanes share nothing
+but the loop over cells; one with fewer cells, or none to run, stands still in cells that change nothing.
 """
 
 import math
@@ -63,7 +63,7 @@ def enter_branch(common, lanes, lane, record, counts):
 
 @njit_noalloc
 def cross_lane(cell, lanes, lane, detail, work, record):
-    """Carry a lane that may meet a corner through its cell; False if it cannot be carried on."""
+    """Carry a lane that may meet a switching point through its cell; False if it cannot be carried on."""
     x1, v1, side, completed = cross_cell(
         cell,
         lanes[SIDE * LANES + lane],
@@ -227,6 +227,7 @@ def run_group(
                         kick_lane(rows[lane * longest + n, COMMON], lanes, lane, record)
         if detail == GROWTH:
             make_unit(lanes)
+        living = 0
         for lane in range(LANES):
             p = group[lane]
             if alive[lane]:
@@ -240,5 +241,6 @@ def run_group(
                 if done:
                     alive[lane] = False
                     freeze(lanes, lane, plain, longest)
-        if not alive.any():
+            living += 1 if alive[lane] else 0
+        if living == 0:
             break

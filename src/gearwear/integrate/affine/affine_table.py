@@ -95,10 +95,9 @@ def cell_counts(constants, harmonics, cells):
         stiffest = max(stiffest, max(cells[n, 2], end))
     for j in range(harmonics.shape[0]):
         fluctuation += math.hypot(harmonics[j, 0], harmonics[j, 1])
-        if np.any(harmonics[j, :6] != 0.0):
-            fastest = max(fastest, (j + 1) * frequency)
-        if np.any(harmonics[j, 6:] != 0.0):
-            fastest = max(fastest, (j + 1) * ratio * frequency)
+        for column in range(harmonics.shape[1]):
+            if harmonics[j, column] != 0.0:
+                fastest = max(fastest, (j + 1) * frequency if column < 6 else (j + 1) * ratio * frequency)
     rate = fastest + math.sqrt(stiffest + fluctuation) + friction
     longest = min(LONGEST_CELL, LARGEST_TURN / rate)
     counts = np.empty(cells.shape[0], np.int64)

@@ -1,8 +1,8 @@
-"""The motion through one cell of the forcing period with the corners it meets.
+"""The motion through one cell of the forcing period with the switching points it meets.
 
-At a corner the state enters the other branch as that motion which passes through it at this instant; its virtual state
-in the middle of the cell solves two linear equations. The field is continuous at the corner, so tangent vectors pass
-unchanged: they go through the same matrices.
+At a switching point, |x| = b, the state enters the other branch as that motion which passes through it at this instant;
+its virtual state in the middle of the cell solves two linear equations. The field is continuous there, so tangent
+vectors pass unchanged: they go through the same matrices.
 """
 
 from gearwear.integrate.affine.affine_table import (
@@ -83,7 +83,7 @@ def response_at(branch, side, rate, s):
 
 @njit_inline
 def side_at_start(common, x, v):
-    """Branch of a state at the start of a cell: by position, on the corner by velocity, at rest by acceleration."""
+    """Branch of a state at the start of a cell: by position, where |x| = b by velocity, at rest by acceleration."""
     side = 1.0 if x >= 0.0 else -1.0
     gap = side * x - common[END_CLEARANCE]
     if gap == 0.0:
@@ -99,7 +99,7 @@ def exit_of_branch(common, branch, middle, low, x, v, x1, v1, work):
 
     Returns
     -------
-    corner, s, slope : 1 or -1 (0 if there is none), where, and corner x's slope by s there
+    flank, s, slope : 1 or -1 (0 if there is none), where, and flank x's slope by s there
     """
     side, half = middle[0], common[HALF_WIDTH]
     b0, slope0, _ = clearance_at(common, low)
@@ -112,12 +112,12 @@ def exit_of_branch(common, branch, middle, low, x, v, x1, v1, work):
         found, s, slope = first_exit(common, branch, middle, work, 1.0, side, low, m0, d0, m1, d1, bend)
         return (side if found else 0.0), s, slope
     left, at, rate = 0.0, 1.0, 0.0
-    for corner in (1.0, -1.0):
-        m0, d0 = b0 - corner * x, slope0 - corner * v * half
-        m1, d1 = b1 - corner * x1, slope1 - corner * v1 * half
-        found, s, slope = first_exit(common, branch, middle, work, -1.0, corner, low, m0, d0, m1, d1, bend)
+    for flank in (1.0, -1.0):
+        m0, d0 = b0 - flank * x, slope0 - flank * v * half
+        m1, d1 = b1 - flank * x1, slope1 - flank * v1 * half
+        found, s, slope = first_exit(common, branch, middle, work, -1.0, flank, low, m0, d0, m1, d1, bend)
         if found and (left == 0.0 or s < at):
-            left, at, rate = corner, s, -slope
+            left, at, rate = flank, s, -slope
     return left, at, rate
 
 
@@ -144,12 +144,12 @@ def cross_cell(cell, side, x, v, detail, work, record, lane):
         if not (abs(x1) < LARGEST_INSIDE and abs(v1) < LARGEST_INSIDE):
             break
         work[READY] = 0.0
-        corner, s, slope = exit_of_branch(common, branch, (side, x_middle, v_middle), low, x, v, x1, v1, work)
-        if corner == 0.0:
+        flank, s, slope = exit_of_branch(common, branch, (side, x_middle, v_middle), low, x, v, x1, v1, work)
+        if flank == 0.0:
             completed = True
             break
         clearance, clearance_slope, _ = clearance_at(common, s)
-        x0, v0, x, v = x, v, corner * clearance, corner * (slope + clearance_slope) * common[RATE]
+        x0, v0, x, v = x, v, flank * clearance, flank * (slope + clearance_slope) * common[RATE]
         if detail == RECORDS:
             note_piece(common, branch, (side, x_middle, v_middle), low, x0, v0, s, x, v, work, record, lane)
             if side == 0.0:
@@ -157,7 +157,7 @@ def cross_cell(cell, side, x, v, detail, work, record, lane):
         if with_map:
             p, q, dp, dq = fundamental_at(branch, side == 0.0, common[RATE], s)
             a, b, c, d = p * a + q * c, p * b + q * d, dp * a + dq * c, dp * b + dq * d
-        side = corner if side == 0.0 else 0.0
+        side = flank if side == 0.0 else 0.0
         branch = cell[CONTACT if side != 0.0 else FREE]
         p, q, dp, dq = fundamental_at(branch, side == 0.0, common[RATE], s)
         f, df = response_at(branch, side, common[RATE], s)

@@ -1,6 +1,6 @@
 """Where the motion inside a cell first leaves its branch: |x| = b, from the power series of the branch.
 
-The margin m of a branch (side x - b in contact, b - corner x without) is positive inside it. Between two points it lies
+The margin m of a branch (side x - b in contact, b - flank x without) is positive inside it. Between two points it lies
 in the hull of the Bernstein coefficients of a quartic: that of the Hermite cubic through m and dm/ds, its middle
 coefficient widened by the bound L^4 max|m''''| / 144 of the remainder. The hull proves that m keeps its sign or that it
 crosses zero once; where it proves neither the piece is halved. Nothing is sampled, so no grazing contact is missed.
@@ -69,13 +69,13 @@ def clearance_at(common, s):
 
 
 @njit_inline
-def margin_at(common, work, inward, corner, s):
-    """Margin to the corner at corner b, its slope and its curvature by s."""
+def margin_at(common, work, inward, flank, s):
+    """Margin to the switching point at flank b, its slope and its curvature by s."""
     b, slope, curve = clearance_at(common, s)
     return (
-        inward * (corner * series_at(work, MOTION, s) - b),
-        inward * (corner * series_at(work, SLOPE, s) - slope),
-        inward * (corner * series_at(work, CURVE, s) - curve),
+        inward * (flank * series_at(work, MOTION, s) - b),
+        inward * (flank * series_at(work, SLOPE, s) - slope),
+        inward * (flank * series_at(work, CURVE, s) - curve),
     )
 
 
@@ -117,17 +117,17 @@ def first_guess(m0, d0, m1, d1):
 
 
 @njit_inline
-def better_guess(common, work, inward, corner, low, s, high):
+def better_guess(common, work, inward, flank, low, s, high):
     """One Newton step on the first terms of the margin, kept in its bracket."""
     b, slope, _ = clearance_at(common, s)
-    d = inward * (corner * short_series_at(work, SLOPE, s) - slope)
+    d = inward * (flank * short_series_at(work, SLOPE, s) - slope)
     if d >= 0.0:
         return s
-    return min(high, max(low, s - inward * (corner * short_series_at(work, MOTION, s) - b) / d))
+    return min(high, max(low, s - inward * (flank * short_series_at(work, MOTION, s) - b) / d))
 
 
 @njit_inline
-def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
+def locate(common, work, inward, flank, low, m0, d0, high, m1, d1):
     """Root of the margin in [low, high], where it falls below zero, and its slope there.
 
     Halley's method kept in its bracket; its last step is taken without another evaluation, if it is so small that the
@@ -137,10 +137,10 @@ def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
         return low, d0
     length, last = high - low, 1e-6 if common[CLEARANCE_BEND] == 0.0 else 1e-8
     s = low + length * min(1.0, max(0.0, first_guess(m0, length * d0, m1, length * d1)))
-    s = better_guess(common, work, inward, corner, low, s, high)
+    s = better_guess(common, work, inward, flank, low, s, high)
     d = d1
     for _ in range(80):
-        m, d, c = margin_at(common, work, inward, corner, s)
+        m, d, c = margin_at(common, work, inward, flank, s)
         if m > 0.0:
             low = s
         else:
@@ -151,7 +151,7 @@ def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
             trial = s + change
             if abs(change) < last and abs(change * c) <= -1e-5 * d:
                 third = 6.0 * work[MOTION + 3] + s * (24.0 * work[MOTION + 4] + s * 60.0 * work[MOTION + 5])
-                return min(1.0, trial), d + change * (c + 0.5 * change * inward * corner * third)
+                return min(1.0, trial), d + change * (c + 0.5 * change * inward * flank * third)
             if low < trial < high:
                 following = trial
         if following in (low, high) or m == 0.0:
@@ -161,14 +161,14 @@ def locate(common, work, inward, corner, low, m0, d0, high, m1, d1):
 
 
 @njit_inline
-def first_exit(common, branch, middle, work, inward, corner, low, m0, d0, m_end, d_end, bend):
-    """First departure of a branch through one corner between s = low and 1: (found, s, slope of the margin there).
+def first_exit(common, branch, middle, work, inward, flank, low, m0, d0, m_end, d_end, bend):
+    """First departure of a branch at one flank between s = low and 1: (found, s, slope of the margin there).
 
     Parameters
     ----------
     common, branch : rows of the cell
     middle : (side, x, v) of the motion in the middle of the cell
-    inward, corner : 1 in contact, -1 without; side of the corner
+    inward, flank : 1 in contact, -1 without; 1 or -1, the flank
     m0, d0, m_end, d_end : margin and its slope by s at both ends
     bend : see hull_verdict
     """
@@ -181,7 +181,7 @@ def first_exit(common, branch, middle, work, inward, corner, low, m0, d0, m_end,
         if work[READY] == 0.0:
             set_motion(branch, middle, work)
         if verdict == CROSSES:
-            s, slope = locate(common, work, inward, corner, low, m0, d0, high, m1, d1)
+            s, slope = locate(common, work, inward, flank, low, m0, d0, high, m1, d1)
             return True, s, slope
         if verdict == NONE:
             low, m0, d0 = high, m1, d1
@@ -191,5 +191,5 @@ def first_exit(common, branch, middle, work, inward, corner, low, m0, d0, m_end,
         if high == 1.0:
             m1, d1 = m_end, d_end
         else:
-            m1, d1, _ = margin_at(common, work, inward, corner, high)
+            m1, d1, _ = margin_at(common, work, inward, flank, high)
     return False, 1.0, d_end

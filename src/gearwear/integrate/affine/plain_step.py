@@ -1,4 +1,4 @@
-"""Sixteen states through a cell that holds no corner for them: one loop without branches, made for vector registers."""
+"""Sixteen states through a cell without a switching point: one loop without branches, made for vector registers."""
 
 import math
 
@@ -52,7 +52,7 @@ def pack_plain(rows, first, cells, plain, lane):
 def plain_steps(cell, slack, lanes, vectors):
     """Step every lane through a cell on its branch, with 0 to 2 tangent vectors.
 
-    Returns the lanes that may have met a corner, bit by bit.
+    Returns the lanes that may have met a switching point, bit by bit.
     """
     doubtful = 0
     for lane in range(LANES):

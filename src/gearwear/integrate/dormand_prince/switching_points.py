@@ -106,7 +106,7 @@ def first_exit(h, m0, d0, s0, m1, d1, s1, band):
 
 @njit
 def margin_after(cell, harmonics, branch, side, t, h, x, v, before):
-    """Margin to the corner at side b, its rate and its curvature after a step h from (x, v) at t."""
+    """Margin to the switching point at side b, its rate and its curvature after a step h from (x, v) at t."""
     stiffness, force, after = stage_loads(cell, harmonics, branch, t, h, before)
     x, v, a, _, _ = linear_step(h, cell[FRICTION], x, v, stiffness, force)
     return margin(branch, side, x, v, a, after)
@@ -114,7 +114,7 @@ def margin_after(cell, harmonics, branch, side, t, h, x, v, before):
 
 @njit
 def margin(branch, side, x, v, a, at):
-    """Margin of a branch to the corner at side b, its rate and its curvature; ``at`` is full_load there."""
+    """Margin of a branch to the switching point at side b, its rate and its curvature; ``at`` is full_load there."""
     inward = 1.0 if branch != 0 else -1.0
     return inward * (side * x - at[2]), inward * (side * v - at[4]), inward * (side * a - at[5])
 
@@ -154,14 +154,14 @@ def locate_turn(cell, harmonics, branch, side, t, x, v, h, before):
 
 @njit
 def exit_of_step(cell, harmonics, branch, t, h, start, end, before, after, band):
-    """First departure from the branch inside a step: (verdict, step length to it, side of the corner).
+    """First departure from the branch inside a step: (verdict, step length to it, flank).
 
     ``start`` and ``end`` are (x, v, a), ``before`` and ``after`` full_load at both ends. After EXIT or GRAZE the
-    step is to end at the length given: on the corner, or where the margin is least but not negative.
+    step is to end at the length given: on the switching point, or where the margin is least but not negative.
     """
     x, v, a = start
     x1, v1, a1 = end
-    verdict, length, corner = CLEAR, h, branch
+    verdict, length, flank = CLEAR, h, branch
     for side in (1, -1):
         if branch == -side:
             continue
@@ -178,13 +178,13 @@ def exit_of_step(cell, harmonics, branch, t, h, start, end, before, after, band)
         if found == EXIT:
             at = locate_exit(cell, harmonics, branch, side, t, x, v, low * h, high * h, before)
         if found != CLEAR and (verdict == CLEAR or at < length):
-            verdict, length, corner = found, at, side
-    return verdict, length, corner
+            verdict, length, flank = found, at, side
+    return verdict, length, flank
 
 
 @njit
 def branch_at(x, v, a, at):
-    """Branch of a state: by position, on the corner by velocity, and at rest there by acceleration."""
+    """Branch of a state: by position, on a switching point by velocity, and at rest there by acceleration."""
     side = 1 if x >= 0.0 else -1
     gap = side * x - at[2]
     if gap == 0.0:

@@ -25,13 +25,13 @@ from gearwear.integrate.status import (
     TOO_MANY_STEPS,
 )
 from gearwear.integrate.taylor.power_series import TERMS, extreme, shift, value
-from gearwear.integrate.taylor.series_step import branch_of, expand, first_corner
+from gearwear.integrate.taylor.series_step import branch_of, expand, first_switch
 
-MOST_CORNERS = 1000  # in one cell
+MOST_SWITCHES = 1000  # in one cell
 
 
 @njit
-def torque_added(driven, torque, turn):
+def add_torque(driven, torque, turn):
     """Add the external torque to the force of a cell; turn is the phase of its first harmonic, rad."""
     for j in range(torque.shape[0]):
         c, s = math.cos((j + 1) * turn), math.sin((j + 1) * turn)
@@ -40,7 +40,7 @@ def torque_added(driven, torque, turn):
 
 
 @njit
-def noted(record, side, end, length, motion, mesh):
+def note_step(record, side, end, length, motion, mesh):
     """Update extremes, largest force and time out of contact by a step up to a share of its length."""
     record[HIGHEST] = max(record[HIGHEST], extreme(motion[0], 1.0, end))
     record[LOWEST] = min(record[LOWEST], extreme(motion[0], -1.0, end))
@@ -51,7 +51,7 @@ def noted(record, side, end, length, motion, mesh):
 
 
 @njit
-def transported(matrix, frame, moved):
+def transport(matrix, frame, moved):
     """Apply a matrix to every row of a frame."""
     for vector in range(frame.shape[0]):
         for i in range(moved.size):
@@ -76,17 +76,17 @@ def advance(damping, stiffness, pull, length, whole, maps, side, z, frame, moved
     other, other_mesh = np.empty((size, TERMS)), np.empty((2, TERMS))
     margin, scratch = np.empty(TERMS), np.empty(TERMS)
     begin = 0.0
-    for _ in range(MOST_CORNERS):
+    for _ in range(MOST_SWITCHES):
         left = (1.0 - begin) * length
         for n in range(3):
             shift(whole[n], begin, 1.0 - begin, driven[n])
         expand(damping, stiffness, pull, left, driven, side, z, motion, mesh)
-        place, corner = first_corner(side, driven[2], motion[0], mesh, margin, scratch)
+        place, flank = first_switch(side, driven[2], motion[0], mesh, margin, scratch)
         end = min(place, 1.0)
         if records:
-            noted(record, side, end, left, motion, mesh)
+            note_step(record, side, end, left, motion, mesh)
         if place > 1.0 and begin == 0.0:
-            transported(maps[abs(side)], frame, moved)
+            transport(maps[abs(side)], frame, moved)
         else:
             for n in range(TERMS):
                 still[0, n] = driven[0, n]
@@ -100,10 +100,10 @@ def advance(damping, stiffness, pull, length, whole, maps, side, z, frame, moved
             return side, BLOW_UP
         if place > 1.0:
             return side, COMPLETED
-        z[0] = corner * value(driven[2], end)
+        z[0] = flank * value(driven[2], end)
         if side == 0:
             record[IMPACTS] += 1
-        side = corner if side == 0 else 0
+        side = flank if side == 0 else 0
         begin += end * (1.0 - begin)
         if begin >= 1.0:
             return side, COMPLETED
@@ -160,7 +160,7 @@ def run(linear, table, ratio, state, direction, first_period, periods, detail, s
                 visits[period, visited] = z
                 visited += 1
             whole[:] = series[cell]
-            torque_added(whole, torque[cell], turn)
+            add_torque(whole, torque[cell], turn)
             if kicked:
                 entered = branch_of(damping, stiffness, pull, lengths[cell], whole, z, motion, mesh)
                 if period + cell > 0 and entered != 0 and entered != side:

@@ -48,23 +48,23 @@ def expand(damping, stiffness, pull, length, driven, side, state, motion, mesh):
 
 
 @njit
-def first_corner(side, clearance, displacement, mesh, margin, scratch):
-    """Return the place in (0, 1] where a motion leaves its branch, NONE if it stays, and the side of that corner."""
+def first_switch(side, clearance, displacement, mesh, margin, scratch):
+    """Return the place in (0, 1] where a motion leaves its branch, NONE if it stays, and the flank it leaves it on."""
     if side != 0:
         return first_fall(mesh[0], scratch), side
-    found, corner = NONE, 0
+    found, side = NONE, 0
     for flank in (1, -1):
         for n in range(TERMS):
             margin[n] = clearance[n] - flank * displacement[n]
         place = first_fall(margin, scratch)
         if place < found:
-            found, corner = place, flank
-    return found, corner
+            found, side = place, flank
+    return found, side
 
 
 @njit
 def branch_of(damping, stiffness, pull, length, driven, state, motion, mesh):
-    """Branch of a state: by position, on the corner by velocity, and at rest there by acceleration."""
+    """Branch of a state: by position, on a switching point by velocity, and at rest there by acceleration."""
     side = 1 if state[0] >= 0.0 else -1
     expand(damping, stiffness, pull, length, driven, 0, state, motion, mesh)
     for n, factor in ((0, 1.0), (1, 1.0 / length), (2, 2.0 / (length * length))):
