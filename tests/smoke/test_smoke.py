@@ -117,7 +117,7 @@ def test_the_report_holds_every_figure_and_page_with_its_caption(smoke_run):
         page = report.read("report/report.html").decode()
     pages = {"claims.html", "claims.csv", "parameters.html", "versions.html", "warnings.html", "basins_with_ste.svg"}
     assert names >= pages | {f"{figure}.svg" for figure in FIGURES}
-    for word in ("A dot for every wear cycle computed", "Case with: 100 °C bulk temperature, 0.3", "Where to look"):
+    for word in ("A dot for every wear cycle computed", "Case with: 100 °C bulk temperature, 0.3", "The graph beside"):
         assert word in page or json.dumps(word)[1:-1] in page, word
 
 
