@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from gearwear.errors import GearwearError
 from gearwear.geometry.involute import GEARS
 from gearwear.geometry.kinematics import curvature
 from gearwear.heat.growth import Growth, base_circle_growth, flank_growth
@@ -20,9 +21,12 @@ def deformation(cfg: dict[str, Any], geometry: xr.Dataset, temperature: xr.Datas
     cfg : the slice `deformation`.
     temperature : needed where `heat.temperature_rise` is `contact`, and not read otherwise.
     """
-    rise = _bulk_rise(cfg)
-    flash = temperature["flash_temperature"].values if cfg["heat"]["temperature_rise"] == "contact" else 0.0
-    grown = _growth(cfg, geometry, np.full(geometry.sizes["path"], rise) + flash)
+    rise = np.full(geometry.sizes["path"], _bulk_rise(cfg))
+    if cfg["heat"]["temperature_rise"] == "contact":
+        if temperature is None:
+            raise GearwearError("heat.temperature_rise: contact needs the contact temperature; give it, or bulk")
+        rise = rise + temperature["flash_temperature"].values
+    grown = _growth(cfg, geometry, rise)
     along = ("gear", "path")
     values = {
         "thermal_growth": (along, np.stack([one.growth for one in grown])),

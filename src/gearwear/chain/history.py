@@ -52,7 +52,7 @@ def states(
     """
     contact = cfg["heat"]["temperature_rise"] == "contact"
     grown = deformation(cfg, pair, temperature(cfg, pair) if contact else None)
-    available = {"cfg": cfg, "geometry": pair, "deformation": grown, "wear": unworn(pair)}
+    available: dict[str, Any] = {"cfg": cfg, "geometry": pair, "deformation": grown, "wear": unworn(pair)}
     available |= {"reference_stiffness": reference, "reference_error": reference}
     available |= results_of(mesh_excitation, available)
     yield _state(available)
