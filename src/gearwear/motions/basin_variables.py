@@ -72,7 +72,7 @@ def basin_columns(found: list[Basins], shape: tuple[int, int], samples: int, for
         table[name] = (("point", "attractor", *behind), padded(values))
     shares = padded(np.concatenate([basins.shares for basins in found]))
     cells = shape[0] * shape[1]
-    index = np.array([basins.leads_to for basins in found], dtype=np.int32)
+    index = np.array([basins.destination for basins in found], dtype=np.int32)
     table["share"] = (("point", "attractor"), shares)
     table["share_error"] = (("point", "attractor"), np.sqrt(shares * (1 - shares) / cells))
     table["escaped_share"] = (("point", "attractor"), padded(np.concatenate([basins.escaped for basins in found])))

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from gearwear.codes.motion_class import CHAOTIC, LARGEST_PERIOD, NOT_CONVERGED
-from gearwear.motions.destinations import fates, share_escaping
+from gearwear.motions.destinations import destinations, share_escaping
 from gearwear.motions.matching import overlapping_clouds, same_orbits
 from gearwear.motions.settling import Attractor, Settling, settle_many
 from gearwear.oscillator.oscillator import Oscillator
@@ -23,17 +23,17 @@ class Basins(NamedTuple):
     attractors : by class, those of one class by their largest section displacement, the undecided class last
     escaped : (attractors,) of the first sixteen chaotic motions, the share that had become periodic after the longest
         transient; 0 for other attractors
-    leads_to : (states,) place of the attractor in that list that a state leads to, or UNDECIDED
+    destination : (states,) place of the attractor in that list that a state leads to, or UNDECIDED
     """
 
     attractors: list[Attractor]
     escaped: np.ndarray
-    leads_to: np.ndarray
+    destination: np.ndarray
 
     @property
     def shares(self) -> np.ndarray:
         """(attractors,) part of the states that lead to each."""
-        return np.array([(self.leads_to == place).mean() for place in range(len(self.attractors))])
+        return np.array([(self.destination == place).mean() for place in range(len(self.attractors))])
 
 
 def cell_centres(first: float, last: float, count: int) -> np.ndarray:
@@ -58,7 +58,7 @@ def basins(oscillator: Oscillator, states: np.ndarray, settling: Settling, toler
     ValueError
         For states or settings outside their range.
     """
-    ends = fates(oscillator, states, settling, tolerance)
+    ends = destinations(oscillator, states, settling, tolerance)
     index = _grouped(*ends)
     firsts = [int(np.flatnonzero(index == group)[0]) for group in range(index.max() + 1)]
     if not firsts:

@@ -17,7 +17,7 @@ from gearwear.oscillator.oscillator import Oscillator
 _TOGETHER = 1024  # states run at a time, for the memory they take
 
 
-class Fates(NamedTuple):
+class Destinations(NamedTuple):
     """Where initial states lead.
 
     motion_class : (states,) codes; NOT_CONVERGED where the longest transient decides nothing
@@ -31,9 +31,9 @@ class Fates(NamedTuple):
     high: np.ndarray
 
 
-def fates(
+def destinations(
     oscillator: Oscillator, states: np.ndarray, settling: Settling, tolerance: float = 1e-10, together: int = _TOGETHER
-) -> Fates:
+) -> Destinations:
     """Return where every state leads; none depends on the others.
 
     The criteria are those of settling.settle, but for the search for orbits: a section that recurs is periodic. One
@@ -52,10 +52,10 @@ def fates(
     """
     check_settling(settling)
     parts = [
-        _fates(oscillator, states[begin : begin + together], settling, tolerance)
+        _destinations_of(oscillator, states[begin : begin + together], settling, tolerance)
         for begin in range(0, len(states), together)
     ]
-    return Fates(*(np.concatenate(part) for part in zip(*parts, strict=True)))
+    return Destinations(*(np.concatenate(part) for part in zip(*parts, strict=True)))
 
 
 def share_escaping(oscillator: Oscillator, states: np.ndarray, settling: Settling, tolerance: float = 1e-10) -> float:
@@ -66,11 +66,11 @@ def share_escaping(oscillator: Oscillator, states: np.ndarray, settling: Settlin
     return float((recurrences(section, settling.largest_period, settling.recurrence_tolerance)[0] > 0).mean())
 
 
-def _fates(oscillator, states, settling, tolerance) -> Fates:
+def _destinations_of(oscillator, states, settling, tolerance) -> Destinations:
     count, samples, longest = len(states), settling.sampled_periods, settling.largest_period
     now = vector(states, "state", oscillator.size, (count,))
     bounds = np.full((2, *now.shape), np.nan)
-    found = Fates(np.full(count, NOT_CONVERGED), np.full((count, longest, oscillator.size), np.nan), *bounds)
+    found = Destinations(np.full(count, NOT_CONVERGED), np.full((count, longest, oscillator.size), np.nan), *bounds)
     waiting, reached, transient = np.arange(count), 0, settling.transient_periods
     while waiting.size:
         run = strobe_many(
@@ -104,7 +104,7 @@ def _fates(oscillator, states, settling, tolerance) -> Fates:
     return found
 
 
-def _note(found: Fates, places, codes, section) -> None:
+def _note(found: Destinations, places, codes, section) -> None:
     found.motion_class[places] = codes
     found.sections[places] = section[:, -found.sections.shape[1] :]
     found.low[places], found.high[places] = section[:, 1:].min(axis=1), section[:, 1:].max(axis=1)

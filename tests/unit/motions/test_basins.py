@@ -51,8 +51,10 @@ def test_mirrored_states_half_a_period_later_lead_to_mirrored_attractors():
     assert len(one.attractors) == len(other.attractors) == 2
     assert sorted(one.shares) == sorted(other.shares)
     for place, motion in enumerate(one.attractors):
-        image = other.attractors[other.leads_to[one.leads_to == place][0]]
-        np.testing.assert_array_equal(one.leads_to == place, other.leads_to == other.leads_to[one.leads_to == place][0])
+        image = other.attractors[other.destination[one.destination == place][0]]
+        np.testing.assert_array_equal(
+            one.destination == place, other.destination == other.destination[one.destination == place][0]
+        )
         assert image.displacement[-1] == pytest.approx(-motion.displacement[-1], abs=1e-7)
         assert image.velocity[-1] == pytest.approx(-motion.velocity[-1], abs=1e-7)
         assert image.contact_loss_share == pytest.approx(motion.contact_loss_share, abs=1e-7)
@@ -62,7 +64,7 @@ def test_attractors_do_not_depend_on_the_order_of_the_states():
     states = slice_of(-3.0, 3.0, 8)
     order = np.random.default_rng(1).permutation(len(states))
     one, other = basins(mirrored_pair(), states, SETTLING), basins(mirrored_pair(), states[order], SETTLING)
-    np.testing.assert_array_equal(one.leads_to[order], other.leads_to)
+    np.testing.assert_array_equal(one.destination[order], other.destination)
     for first, second in zip(one.attractors, other.attractors, strict=True):
         assert first.displacement.max() == pytest.approx(second.displacement.max(), abs=1e-7)
     assert one.attractors[0].displacement.max() > one.attractors[1].displacement.max()
@@ -81,4 +83,4 @@ def test_undecided_cells_keep_a_code_of_their_own():
         Oscillator(1.97, 0.05, 0.1, stiffness, error), slice_of(-2, 2, 3), Settling(10, 20, 32, 4, 1e-10, 1e-3)
     )
     assert found.attractors == [] and found.shares.size == 0
-    assert set(found.leads_to) == {UNDECIDED}
+    assert set(found.destination) == {UNDECIDED}

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from gearwear.codes.motion_class import CHAOTIC, NOT_CONVERGED, QUASI_PERIODIC
-from gearwear.motions.destinations import fates, share_escaping
+from gearwear.motions.destinations import destinations, share_escaping
 from gearwear.motions.settling import Settling, settle
 from gearwear.oscillator.oscillator import ExternalTorque, Oscillator
 from gearwear.oscillator.periodic import Harmonics
@@ -19,21 +19,21 @@ def route(frequency):
 
 @pytest.mark.parametrize("frequency", [0.4, 1.1, 1.21, 1.28, 1.4])
 def test_every_fate_is_the_class_its_state_settles_to(frequency):
-    found = fates(route(frequency), STATES, SETTLING)
+    found = destinations(route(frequency), STATES, SETTLING)
     assert found.motion_class.tolist() == [settle(route(frequency), state, SETTLING).motion_class for state in STATES]
 
 
 def test_no_fate_depends_on_the_others():
     """Chaos and a motion of period 1, in another order and in other company."""
     for oscillator in (route(1.4), route(0.6)):
-        whole = fates(oscillator, STATES, SETTLING)
-        turned = fates(oscillator, STATES[::-1], SETTLING, together=5)
+        whole = destinations(oscillator, STATES, SETTLING)
+        turned = destinations(oscillator, STATES[::-1], SETTLING, together=5)
         for one, other in zip(whole, turned, strict=True):
             np.testing.assert_array_equal(one, other[::-1])
 
 
 def test_the_box_is_that_of_the_section():
-    found = fates(route(1.4), STATES, SETTLING)
+    found = destinations(route(1.4), STATES, SETTLING)
     assert set(found.motion_class) == {CHAOTIC}
     assert np.all(found.sections.min(axis=1) >= found.low) and np.all(found.sections.max(axis=1) <= found.high)
     settled = settle(route(1.4), STATES[0], SETTLING)
@@ -50,14 +50,14 @@ def test_what_the_longest_transient_does_not_decide_stays_undecided():
         Harmonics(0.0, (0.01, 0.004, 0.002), (0.0,) * 3),
     )
     short = Settling(10, 20, 32, 4, 1e-10, 3e-3)
-    assert set(fates(slow, STATES, short).motion_class) == {NOT_CONVERGED}
+    assert set(destinations(slow, STATES, short).motion_class) == {NOT_CONVERGED}
 
 
-def test_a_second_frequency_gives_quasi_periodic_fates():
+def test_a_second_frequency_gives_quasi_periodic_destinations():
     stiffness, error = Harmonics(1.0, (-0.1,), (0.0,)), Harmonics(0.0, (0.02,), (0.0,))
     torque = ExternalTorque((np.sqrt(5) - 1) / 2, (0.02,), (0.0,))
     oscillator = Oscillator(0.9, 0.1, 0.1, stiffness, error, torque=torque)
-    assert set(fates(oscillator, STATES[:2], SETTLING).motion_class) == {QUASI_PERIODIC}
+    assert set(destinations(oscillator, STATES[:2], SETTLING).motion_class) == {QUASI_PERIODIC}
 
 
 def test_chaos_does_not_escape_and_a_periodic_motion_does():
