@@ -25,6 +25,7 @@ import numpy as np  # noqa: E402  (the number of threads must be set first)
 from gearwear.integrate.status import GROWTH, MAPS, RECORDS, STATES  # noqa: E402
 from gearwear.integrate.strobe import GENERAL, strobe  # noqa: E402
 from gearwear.integrate.strobe_many import strobe_many  # noqa: E402
+from gearwear.motions.settling import Settling, settle_many  # noqa: E402
 from gearwear.oscillator.oscillator import Oscillator  # noqa: E402
 from gearwear.oscillator.periodic import Harmonics  # noqa: E402
 
@@ -43,6 +44,16 @@ def oscillators(frequencies, error=0.3):
 def early(points, periods):
     """All points in one call, each until it recurs."""
     strobe_many(points, START, periods, detail=STATES, detect_cycles=True)
+
+
+def recorded(points, periods):
+    """The same with all that happens within a period."""
+    strobe_many(points, START, periods, detail=RECORDS, detect_cycles=True)
+
+
+def settled(points, periods):
+    """All points settled and classified, with 200 sampled periods after the others."""
+    settle_many(points, START, Settling(periods - 200, 8 * periods, 200, 32, 1e-7, 3e-3))
 
 
 def cpu_seconds(task, *arguments):
@@ -73,13 +84,20 @@ def interleaved(repeats):
         "affine map, scalar": (each, STATES),
         "affine map, scalar, W+L": (each, GROWTH),
     }
-    seconds = {name: [] for name in (*tasks, f"{OURS}, early end")}
+    whole = {
+        f"{OURS}, cycles detected": early,
+        f"{OURS}, extremes too, cycles detected": recorded,
+        "settled and classified": settled,
+    }
+    seconds = {name: [] for name in (*tasks, *whole)}
+    settled(oscillators(FREQUENCIES[:20]), 210)
     for task, detail in tasks.values():
         task(oscillators(FREQUENCIES[:20]), 2, detail)
     for _ in range(repeats):
         for name, (task, detail) in tasks.items():
             seconds[name].append(cpu_seconds(task, oscillators(FREQUENCIES), PERIODS, detail))
-        seconds[f"{OURS}, early end"].append(cpu_seconds(early, oscillators(FREQUENCIES), PERIODS))
+        for name, run in whole.items():
+            seconds[name].append(cpu_seconds(run, oscillators(FREQUENCIES), PERIODS))
     return seconds
 
 

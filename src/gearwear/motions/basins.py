@@ -23,7 +23,7 @@ class Basins(NamedTuple):
     attractors : by class, those of one class by their largest section displacement, the undecided class last
     escaped : (attractors,) of the first sixteen chaotic motions, the share that had become periodic after the longest
         transient; 0 for other attractors
-    destination : (states,) place of the attractor in that list that a state leads to, or UNDECIDED
+    destination : (states,) place in that list of the attractor that a state leads to, or UNDECIDED
     """
 
     attractors: list[Attractor]

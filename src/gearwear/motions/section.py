@@ -1,4 +1,4 @@
-"""What a Poincare section tells: its period, whether it is a closed curve, and averages with their errors."""
+"""Properties of a Poincare section: its period, whether it is a closed curve, and averages with their errors."""
 
 from typing import NamedTuple
 

@@ -87,7 +87,7 @@ def settle_many(
 
     Between two looks the transient doubles; the exponent is the mean over all the periods since the last look, so
     that a weak one grows clear. A motion that blows up or needs too many steps has not converged, for that reason;
-    its evidence is NaN. No point depends on the others.
+    what is not known is NaN. No point depends on the others.
 
     Parameters
     ----------

@@ -48,10 +48,11 @@ def return_maps(
     Raises
     ------
     ValueError
-        By the function returned: for a value the oscillator refuses, for a period that is not a whole number of at
+        For a tolerance or a backend outside its range. By the function returned: for a value the oscillator refuses, for a period that is not a whole number of at
         least 1, and where the torque fluctuates with a second frequency that does not repeat after the period.
     """
 
+    check_request((1.0, 0.0), 1, 0, tolerance, MAPS, backend)
     latest: list[Any] = [None, None]  # maps of several periods are asked for of one oscillator
 
     def return_map(value: float, period: int) -> ReturnMap:
@@ -64,7 +65,6 @@ def return_maps(
                 f"frequency is {oscillator.torque.frequency_ratio} times the mesh frequency; no orbit repeats after it"
             )
 
-        check_request((1.0, 0.0), period, 0, tolerance, MAPS, backend)
         if oscillator is not latest[0]:
             latest[:] = oscillator, integrator(oscillator, tolerance, backend)
         integrate, tangent = latest[1], np.eye(oscillator.size)[0]
