@@ -48,8 +48,9 @@ def return_maps(
     Raises
     ------
     ValueError
-        For a tolerance or a backend outside its range. By the function returned: for a value the oscillator refuses, for a period that is not a whole number of at
-        least 1, and where the torque fluctuates with a second frequency that does not repeat after the period.
+        For a tolerance or a backend outside its range. By the function returned: for a value the oscillator refuses,
+        for a period that is not a whole number of at least 1, and where the torque fluctuates with a second frequency
+        that does not repeat after the period.
     """
 
     check_request((1.0, 0.0), 1, 0, tolerance, MAPS, backend)
