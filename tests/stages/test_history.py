@@ -1,6 +1,5 @@
 """Whole wear histories in one process, and the jobs of several wear cycles: those of the stages, one by one."""
 
-from inspect import signature
 from types import SimpleNamespace
 
 import numpy as np
@@ -8,14 +7,15 @@ import pytest
 import xarray as xr
 from snakemake.iocontainers import InputFiles, OutputFiles, Params
 
-from gearwear.chain.history import CYCLE, last_state, state_at, states_of_case, wear_history
+from gearwear.chain.cycle import CYCLE
+from gearwear.chain.history import last_state, state_at, states_of_case, wear_history
 from gearwear.config.histories import histories
 from gearwear.config.slices import slice_of
 from gearwear.errors import Infeasible
 from gearwear.io import store
 from gearwear.run import stage
 from gearwear.run.digest import digest
-from gearwear.run.stages import target_of
+from gearwear.run.stages import arguments_of, target_of
 from gearwear.studies.outcome import outcome
 
 CYCLES = {"cases.with.running_cycles": 2e8}
@@ -50,7 +50,7 @@ def same(found, state, names=STATE):
 
 
 def test_a_cycle_wears_before_it_computes_the_mesh_and_the_motion():
-    assert [link.__name__ for link in CYCLE] == ["wear", "mesh_excitation", "response"]
+    assert list(CYCLE) == ["wear", "mesh_excitation", "response"]
     assert [name for made in CYCLE.values() for name in made] == [*STATE, "response"]
 
 
@@ -104,9 +104,9 @@ def test_a_pair_that_cannot_be_has_its_reason_alone(study):
 def test_a_job_of_two_cycles_writes_the_files_of_the_stages(config, one_by_one, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(stage, "end_with_workflow", lambda: None)
-    codes = {link.__name__: digest(target_of(link.__name__)) for link in CYCLE}
-    cfg = {link.__name__: slice_of(config, link.__name__, "with") for link in CYCLE}
-    inputs = {name for link in CYCLE for name in signature(link).parameters} - {"cfg", "backlash"}
+    codes = {link: digest(target_of(link)) for link in CYCLE}
+    cfg = {link: slice_of(config, link, "with") for link in CYCLE}
+    inputs = {name for link in CYCLE for name in arguments_of(link)} - {"cfg", "backlash"}
     places = {"geometry": "geometry", "deformation": "with/deformation"}
     places |= {
         "reference_stiffness": "without/mesh_stiffness/q000",
@@ -131,7 +131,7 @@ def test_a_job_of_two_cycles_writes_the_files_of_the_stages(config, one_by_one, 
         for name, paths in made.items():
             found = store.load(paths[place])
             xr.testing.assert_equal(found, state[name])
-            assert found.attrs["stage"] == next(link.__name__ for link, names in CYCLE.items() if name in names)
+            assert found.attrs["stage"] == next(link for link, names in CYCLE.items() if name in names)
     last = {name: store.load(paths[1]) for name, paths in made.items()}
     before = {name: store.load(paths[0]).attrs["lineage"] for name, paths in made.items()}
     wear = store.origin_of(last["wear"]).inputs

@@ -49,7 +49,7 @@ def settled(state, run_stage):
     def run(config):
         cfg = slice_of(config, "sweep", "without", "mesh_frequency")
         source = run_stage("excitation", config, "without", state)
-        return cfg, source, sweep_part(cfg, source, "mesh_frequency", "1-of-1")
+        return cfg, source, sweep_part(cfg, source, "mesh_frequency", slice(None))
 
     return run
 

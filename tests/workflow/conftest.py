@@ -26,6 +26,8 @@ with SnakemakeApi(OutputSettings(show_failed_logs=False)) as api:
             "script": rule.script,
             "params": sorted(rule.params.keys()),
             "code": rule.params.get("code"),
+            "draw": rule.params.get("draw"),
+            "input": sorted(rule.input.keys()),
             "output": list(map(str, rule.output)),
             "wildcards": sorted(rule.wildcard_names),
             "captions": sorted({Path(str(one.flags["report"].caption)).name

@@ -54,7 +54,7 @@ def job(tmp_path, monkeypatch):
         input=InputFiles(fromdict={"geometry": "results/geometry.nc"}),
         output=OutputFiles(["results/wear.nc"]),
         wildcards=Wildcards(fromdict={"case": "with", "q": "000"}),
-        params=Params(fromdict={"cfg": {}, "code": CODES[TARGET]}),
+        params=Params(fromdict={"cfg": {}, "code": {"unworn": CODES[TARGET]}}),
         log=[tmp_path / "job.log"],
         config={"grid": {"mesh_cells": 3}},
     )
@@ -81,7 +81,7 @@ def test_a_stage_gets_settings_inputs_and_wildcards_by_name_and_returns_outputs_
 
     monkeypatch.setattr(stages, "target_of", lambda name: {"several": TARGET}[name])
     monkeypatch.setattr(stages, "function_of", lambda name: {"several": several}[name])
-    job.params = Params(fromdict={"stage": "several", "cfg": {"x": 1}, "code": CODES[TARGET]})
+    job.params = Params(fromdict={"cfg": {"x": 1}, "code": {"several": CODES[TARGET]}})
     job.input = InputFiles(fromdict={"geometry": "results/geometry.nc", "texts": ["one.yaml", "two.yaml"]})
     job.output = OutputFiles(fromdict={"page": "page.html", "table": "table.csv", "data": "results/data.nc"})
     stage.run(job)

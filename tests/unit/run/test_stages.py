@@ -2,15 +2,30 @@
 
 import subprocess
 import sys
-from inspect import signature
+from inspect import getdoc, signature
 from pathlib import Path
 
 import pytest
 
 from gearwear.chain.cycle import CYCLE
-from gearwear.run.stages import MODULES, arguments_of, function_of
+from gearwear.io.variables import variables
+from gearwear.run.stages import MODULES, VARIABLES, arguments_of, function_of, target_of
 
 RULES = Path(__file__).resolve().parents[3] / "workflow" / "rules"
+
+
+@pytest.mark.parametrize("stage", MODULES)
+def test_every_stage_has_a_function_of_its_name(stage):
+    function = function_of(stage)
+    assert (function.__module__, function.__name__) == (f"gearwear.{MODULES[stage]}", stage)
+    assert target_of(stage) == f"{MODULES[stage]}:{stage}"
+    assert getdoc(function).startswith("Return ")
+
+
+def test_variables_that_are_read_alone_belong_to_inputs_of_the_stage():
+    for stage, inputs in VARIABLES.items():
+        assert set(inputs) <= set(arguments_of(stage))
+        assert {name for names in inputs.values() for name in names} <= set(variables())
 
 
 @pytest.mark.parametrize("stage", MODULES)
