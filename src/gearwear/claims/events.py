@@ -7,7 +7,8 @@ import numpy as np
 
 from gearwear.claims import rules
 from gearwear.claims.study import Study, Undecided
-from gearwear.claims.sweeps import CHAOTIC, NOT_CONVERGED, Sweep, class_code, read_sweep
+from gearwear.claims.sweeps import Sweep, class_code, read_sweep
+from gearwear.codes.motion_class import CHAOTIC, NOT_CONVERGED
 from gearwear.errors import BadFile
 from gearwear.motions.sequence import changes, first_run
 

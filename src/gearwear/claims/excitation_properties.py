@@ -6,6 +6,7 @@ Every function takes a `Study` and returns whether the property holds, and the n
 """
 
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 
@@ -83,7 +84,7 @@ def transmission_error_rise_larger_in_double_contact(study: Study) -> tuple[bool
     return bool(holds), f"mean rise double {micrometres(in_double)}, single {micrometres(in_single)}"
 
 
-def _rise_of_transmission_error(study: Study, before, after) -> tuple[np.ndarray, np.ndarray]:
+def _rise_of_transmission_error(study: Study, before: Any, after: Any) -> tuple[np.ndarray, np.ndarray]:
     first, last = (
         study.field("transmission_error", "transmission_error", case, cycle) for case, cycle in (before, after)
     )

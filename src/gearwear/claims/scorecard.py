@@ -15,7 +15,9 @@ COLUMNS = ("id", "figure", "says", "expected", "found", "verdict")
 VERDICTS = {True: rules.AGREE, False: rules.DIFFERS, None: rules.NOT_DECIDED}
 
 
-def evaluate(claims: dict, results: Mapping, diagonal: Iterable[tuple[str, int]]) -> list[dict[str, str]]:
+def evaluate(
+    claims: dict[str, Any], results: Mapping[Any, Any], diagonal: Iterable[tuple[str, int]]
+) -> list[dict[str, str]]:
     """Return one row a claim, in the order of the claims.
 
     Parameters
@@ -49,7 +51,7 @@ def evaluate(claims: dict, results: Mapping, diagonal: Iterable[tuple[str, int]]
     return rows
 
 
-def judge(claim: dict, study: Study) -> tuple[bool | None, str]:
+def judge(claim: dict[str, Any], study: Study) -> tuple[bool | None, str]:
     """Return whether the results show what `claim` says (None: not decided), and what they show."""
     if claim["kind"] == "window":
         return judge_window_of_cases(study, cases_of(claim), claim["sweep"], claim["range"], claim["class"])

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -28,10 +29,10 @@ class Study:
         Drawn states (case, last wear cycle), from the cold unworn one to the hottest, most worn one.
     """
 
-    results: Mapping
+    results: Mapping[Any, Any]
     diagonal: tuple[tuple[str, int], ...]
 
-    def field(self, name: str, *key) -> xr.DataArray:
+    def field(self, name: str, *key: Any) -> xr.DataArray:
         """Return variable `name` of the dataset `key`, loaded.
 
         Raises
@@ -111,6 +112,6 @@ class Study:
         return nodes
 
 
-def describe(key: tuple) -> str:
+def describe(key: tuple[Any, ...]) -> str:
     """Return a result's key as words, such as ``wear/with/q021``."""
     return "/".join(f"q{part:03d}" if isinstance(part, int) else part for part in key)

@@ -4,7 +4,8 @@ import numpy as np
 
 from gearwear.claims import rules
 from gearwear.claims.study import Study, Undecided
-from gearwear.claims.sweeps import NOT_CONVERGED, Sweep, class_code, class_name, read_sweep
+from gearwear.claims.sweeps import Sweep, class_code, class_name, read_sweep
+from gearwear.codes.motion_class import NOT_CONVERGED
 
 
 def points_of_window(swept: np.ndarray, low: float, high: float) -> np.ndarray:
@@ -34,7 +35,9 @@ def judge_window(sweep: Sweep, low: float, high: float, names: list[str]) -> tup
     return (None if share + open_share >= rules.WINDOW_SHARE else False), found
 
 
-def judge_window_of_cases(study: Study, cases: list[str], name: str, window, names) -> tuple[bool | None, str]:
+def judge_window_of_cases(
+    study: Study, cases: list[str], name: str, window: tuple[float, float], names: list[str]
+) -> tuple[bool | None, str]:
     """Return whether the window (low, high) of sweep `name` agrees in every case, and what each shows."""
     (low, high), outcomes, found = window, [], []
     for case in cases:

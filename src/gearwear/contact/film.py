@@ -5,7 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 
-def film_thickness(rolling_speed, radius, load_per_width, contact_modulus, viscosity, pressure_viscosity):
+def film_thickness(
+    rolling_speed: np.ndarray,
+    radius: np.ndarray,
+    load_per_width: float | np.ndarray,
+    contact_modulus: float | np.ndarray,
+    viscosity: float | np.ndarray,
+    pressure_viscosity: float | np.ndarray,
+) -> np.ndarray:
     """Return the smallest film thickness (m) by Hamrock and Dowson, J. Lubr. Technol. 99 (1977), infinite ellipticity.
 
     h = 3.63 R U^0.68 G^0.49 L^-0.073 with U = eta u/(E' R), G = alpha E', L = F'/(E' R). A contact without load has no

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,7 +21,14 @@ class ContactHeat(NamedTuple):
     load_per_width: np.ndarray
 
 
-def flash_temperature(coefficient, friction, load_per_width, surface_speed, half_width, effusivity):
+def flash_temperature(
+    coefficient: float | np.ndarray,
+    friction: np.ndarray,
+    load_per_width: np.ndarray,
+    surface_speed: np.ndarray,
+    half_width: np.ndarray,
+    effusivity: np.ndarray,
+) -> np.ndarray:
     """Return the flash temperature of a line contact (K), shape (n,): Blok (1937).
 
     T_f = u f F' |v_p - v_g| / ((sqrt(g rho c v)_p + sqrt(g rho c v)_g) sqrt(B_H)).
@@ -42,15 +49,15 @@ def flash_temperature(coefficient, friction, load_per_width, surface_speed, half
 
 
 def contact_heat(
-    load_per_width,
-    surface_speed,
-    radius,
-    modulus,
-    poisson_ratio,
-    effusivity,
+    load_per_width: np.ndarray,
+    surface_speed: np.ndarray,
+    radius: np.ndarray,
+    modulus: np.ndarray,
+    poisson_ratio: np.ndarray,
+    effusivity: np.ndarray,
     viscosity: float,
-    lubricant: dict,
-    friction: dict,
+    lubricant: dict[str, Any],
+    friction: dict[str, Any],
     flash_coefficient: float,
     friction_factor: float = 1.0,
 ) -> ContactHeat:

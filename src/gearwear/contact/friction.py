@@ -13,7 +13,14 @@ _FULL_FILM_RATIO = 2.0
 _ROUGHEST = 2.0  # um; the regression grows doubly exponentially with the roughness
 
 
-def elastohydrodynamic_friction(peak_pressure, sliding_ratio, rolling_speed, viscosity, radius, roughness):
+def elastohydrodynamic_friction(
+    peak_pressure: np.ndarray,
+    sliding_ratio: np.ndarray,
+    rolling_speed: np.ndarray,
+    viscosity: float | np.ndarray,
+    radius: np.ndarray,
+    roughness: float,
+) -> np.ndarray:
     """Return the coefficient of friction of a full film: regression of Xu (2005), held beyond a roughness of 2 um.
 
     Parameters
@@ -33,7 +40,9 @@ def elastohydrodynamic_friction(peak_pressure, sliding_ratio, rolling_speed, vis
     return np.exp(exponent) * powers
 
 
-def friction_coefficient(film_ratio, full_film, law: str, dry: float, boundary: float):
+def friction_coefficient(
+    film_ratio: np.ndarray, full_film: np.ndarray, law: str, dry: float, boundary: float
+) -> np.ndarray:
     """Return the coefficient of friction at a film ratio (smallest film over composite roughness).
 
     Parameters
@@ -57,16 +66,16 @@ def friction_coefficient(film_ratio, full_film, law: str, dry: float, boundary: 
     return dry + (boundary - dry) * lubricated + (full_film - boundary) * filmed
 
 
-def _film_share(film_ratio):
+def _film_share(film_ratio: np.ndarray) -> np.ndarray:
     """Return the part of the load that the film carries, 1 from a film ratio of 2 on."""
 
-    def raw(ratio):
+    def raw(ratio: float | np.ndarray) -> np.ndarray:
         return 1.21 * ratio**0.64 / (1 + 0.37 * ratio**1.26)
 
     share = raw(np.minimum(film_ratio, _FULL_FILM_RATIO)) / raw(_FULL_FILM_RATIO)
     return np.minimum(share, 1.0)
 
 
-def _smoothstep(x):
+def _smoothstep(x: np.ndarray) -> np.ndarray:
     x = np.clip(x, 0.0, 1.0)
     return x * x * (3 - 2 * x)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from gearwear.errors import Infeasible
@@ -20,7 +22,9 @@ _LIQUID_HEAT = 46.0  # J/(mol K)
 _MELT_ENTHALPY = 58.7e3  # J/mol, solid iron from 293 K to melting
 
 
-def modulus_ratio(temperature, law: str, thermal_expansion: float = 1.16e-5, calibration: float = 5.3):
+def modulus_ratio(
+    temperature: float | np.ndarray, law: str, thermal_expansion: float = 1.16e-5, calibration: float = 5.3
+) -> np.ndarray:
     """Return E(T) over E(20 degC).
 
     Parameters
@@ -56,7 +60,7 @@ def modulus_ratio(temperature, law: str, thermal_expansion: float = 1.16e-5, cal
     raise Infeasible(f"elasticity.law: {law!r} is unknown; use li, linear, table or constant")
 
 
-def hot_modulus(material: dict, elasticity: dict, temperature: float) -> np.ndarray:
+def hot_modulus(material: dict[str, Any], elasticity: dict[str, Any], temperature: float) -> np.ndarray:
     """Return the modulus of pinion and gear at `temperature` (degC), Pa, shape (2,)."""
     return np.array(
         [
@@ -69,7 +73,7 @@ def hot_modulus(material: dict, elasticity: dict, temperature: float) -> np.ndar
     )
 
 
-def _heat_content(temperature):
+def _heat_content(temperature: float | np.ndarray) -> np.ndarray:
     """Return the enthalpy of iron above 0 K but for a constant, J/mol, at `temperature` in degC."""
     t = (np.asarray(temperature) + 273.15) / 1000
     a, b, c, d, e = _SHOMATE

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 
-def dynamic_viscosity(temperature: float, lubricant: dict) -> float:
+def dynamic_viscosity(temperature: float, lubricant: dict[str, Any]) -> float:
     """Return the dynamic viscosity (Pa s) of the oil at `temperature` (degC).
 
     `fixed` gives the value of the configuration; `vogel` the law eta = A exp(B/(T + 95)) (Vogel 1921) through the

@@ -11,8 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator
 
-from gearwear.calibration.table import good
-from gearwear.calibration.verdict import STUDY
+from gearwear.calibration.table import STUDY, good
 from gearwear.config.parameters import SWEEPS
 from gearwear.figures.sheet import DOUBLE, legend_above, letter, sheet
 

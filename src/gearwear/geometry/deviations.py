@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
+import xarray as xr
 
 from gearwear.geometry.contact_path import ContactPath
 
 
-def tip_relief(contact: ContactPath, relief: dict) -> np.ndarray:
+def tip_relief(contact: ContactPath, relief: dict[str, Any]) -> np.ndarray:
     """Return the depth relieved from the flanks of pinion and gear (m, normal to the flank), shape (2, n).
 
     C(s) = C_a (l/L)^n, l being how far the contact is past the start of the relief, L the length of the relief along
@@ -48,6 +51,6 @@ def spacing(contact: ContactPath, base_pitch: float, spacing_error: float, base_
     return np.where(leaving, spacing_error, 0.0) + base_pitch_difference * ramp
 
 
-def lacking(geometry) -> np.ndarray:
+def lacking(geometry: xr.Dataset) -> np.ndarray:
     """Return the material that a new pair lacks along its path, by relief and spacing (m), shape (n,)."""
     return geometry["tip_relief"].values.sum(axis=0) + geometry["spacing"].values

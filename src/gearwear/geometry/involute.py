@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -34,26 +34,26 @@ class GearPair(NamedTuple):
     generated_root_angle: np.ndarray
 
 
-def involute(angle):
+def involute(angle: float | np.ndarray) -> np.ndarray:
     """Return tan(angle) - angle (rad)."""
     return np.tan(angle) - angle
 
 
-def each(values: dict) -> np.ndarray:
+def each(values: dict[str, Any]) -> np.ndarray:
     """Return the values of pinion and gear as an array of shape (2,)."""
     return np.array([values[name] for name in GEARS], dtype=float)
 
 
 def gear_pair(
-    teeth: dict,
+    teeth: dict[str, Any],
     module: float,
     face_width: float,
     pressure_angle: float,
-    addendum_coefficient: dict,
+    addendum_coefficient: dict[str, Any],
     clearance_coefficient: float,
-    profile_shift: dict,
+    profile_shift: dict[str, Any],
     centre_distance: float | None,
-    bore_radius: dict,
+    bore_radius: dict[str, Any],
 ) -> GearPair:
     """Return the dimensions of a gear pair cut by a basic rack (ISO 21771).
 
@@ -119,7 +119,7 @@ def half_angle(pair: GearPair, radius: np.ndarray) -> np.ndarray:
     return alone.reshape(shape) - involute(pressure)
 
 
-def equivalent_mass(pair: GearPair, density: dict, inertia: dict) -> tuple[np.ndarray, float]:
+def equivalent_mass(pair: GearPair, density: dict[str, Any], inertia: dict[str, Any]) -> tuple[np.ndarray, float]:
     """Return the moments of inertia (kg m2, shape (2,)) and the equivalent mass on the line of action (kg).
 
     A moment not given is that of a solid disc of the reference radius less the bore. Equivalent mass
@@ -132,12 +132,14 @@ def equivalent_mass(pair: GearPair, density: dict, inertia: dict) -> tuple[np.nd
     return moments, float(moments.prod() / (moments[0] * r[1] ** 2 + moments[1] * r[0] ** 2))
 
 
-def disc_mass(pair: GearPair, density: dict) -> np.ndarray:
+def disc_mass(pair: GearPair, density: dict[str, Any]) -> np.ndarray:
     """Return the masses of solid discs of the reference radii less the bores (kg, shape (2,))."""
     return np.pi * each(density) * pair.face_width * (pair.reference_radius**2 - pair.bore_radius**2)
 
 
-def _working_angle(alpha, base, z, shift, centre_distance):
+def _working_angle(
+    alpha: float | np.ndarray, base: np.ndarray, z: np.ndarray, shift: Any, centre_distance: Any
+) -> tuple[float, float]:
     if centre_distance is None:
         target = involute(alpha) + 2 * math.tan(alpha) * shift.sum() / z.sum()
         if target <= 0:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from gearwear.contact.oil import dynamic_viscosity
 from gearwear.errors import Infeasible
@@ -36,7 +36,13 @@ class HeatFlows(NamedTuple):
     convection: float
 
 
-def heat_flows(geometry, temperature: float, operation: dict, lubricant: dict, settings: dict) -> HeatFlows:
+def heat_flows(
+    geometry: Any,
+    temperature: float,
+    operation: dict[str, Any],
+    lubricant: dict[str, Any],
+    settings: dict[str, Any],
+) -> HeatFlows:
     """Return the heat flows of gears at a bulk temperature.
 
     Parameters
@@ -46,7 +52,7 @@ def heat_flows(geometry, temperature: float, operation: dict, lubricant: dict, s
     operation, lubricant, settings : the sections `operation`, `lubricant` and `heat_balance`.
     """
 
-    def of(name):
+    def of(name: str) -> list[float]:
         return [float(geometry[name][i]) for i in range(2)]
 
     teeth, pitch_point = of("teeth"), float(geometry["pitch_point"])
@@ -155,7 +161,7 @@ def balanced(flows: Callable[[float], HeatFlows], surroundings: float) -> float:
     Infeasible : no balance within 10 000 K of the surroundings.
     """
 
-    def surplus(temperature):
+    def surplus(temperature: float) -> float:
         found = flows(temperature)
         return found.mesh_loss + found.churning_loss - found.convection
 

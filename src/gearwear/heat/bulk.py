@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from inspect import signature
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from gearwear.errors import Infeasible
+
+if TYPE_CHECKING:
+    from gearwear.heat.balance import HeatFlows
 
 BALANCE = "balance"
 COLDEST, HOTTEST = -40.0, 250.0  # degC
@@ -27,7 +30,7 @@ def bulk_temperature(config: dict[str, Any]) -> float:
     geometry = pair._asdict() | contact_path(pair, 16)._asdict()
     operation, lubricant, settings = (config[name] for name in ("operation", "lubricant", "heat_balance"))
 
-    def flows(temperature):
+    def flows(temperature: float) -> HeatFlows:
         return heat_flows(geometry, temperature, operation, lubricant, settings)
 
     found = balanced(flows, settings["surroundings"])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -50,7 +51,7 @@ def half_backlash(
     return clearance
 
 
-def centre_distance_change(centre_distance: float, rise: float, mounting: float, housing: dict) -> float:
+def centre_distance_change(centre_distance: float, rise: float, mounting: float, housing: dict[str, Any]) -> float:
     """Return how far the shafts move apart by mounting and by heat of the housing (m).
 
     Parameters

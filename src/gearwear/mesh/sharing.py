@@ -10,6 +10,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+import xarray as xr
 
 
 class Springs(NamedTuple):
@@ -28,7 +29,7 @@ class Sharing(NamedTuple):
     deflection: np.ndarray
 
 
-def share(springs: Springs, removed: np.ndarray, force) -> Sharing:
+def share(springs: Springs, removed: np.ndarray, force: float | np.ndarray) -> Sharing:
     """Return approach (m), load share of the pair at each node (0 to 1) and its elastic deflection (m).
 
     Solves sum_j F_j = F with F_j > 0 only where S > E_j: Chen and Shao, Mech. Mach. Theory 62 (2013), Eqs 12 to 20,
@@ -90,14 +91,14 @@ class Transmission(NamedTuple):
     sharing_error: np.ndarray
 
 
-def springs_of(geometry, stiffness) -> Springs:
+def springs_of(geometry: xr.Dataset, stiffness: xr.Dataset) -> Springs:
     """Return the tooth pairs from the datasets of the geometry and mesh stiffness stages."""
     return Springs(stiffness["pair_stiffness"].values, stiffness["pair_coupling"].values, geometry["partner"].values)
 
 
 def transmission(
-    geometry,
-    stiffness,
+    geometry: xr.Dataset,
+    stiffness: xr.Dataset,
     wear: np.ndarray,
     growth: np.ndarray,
     force: float,

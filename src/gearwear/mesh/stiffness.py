@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
+import xarray as xr
 
 from gearwear.geometry.kinematics import curvature
 from gearwear.mesh.cantilever import load_angle, tooth_compliance
@@ -32,7 +34,12 @@ class PairStiffness(NamedTuple):
 
 
 def pair_stiffness(
-    geometry, modulus, poisson_ratio, flanks: Flanks, settings: dict, force: float = 0.0
+    geometry: xr.Dataset,
+    modulus: np.ndarray,
+    poisson_ratio: np.ndarray,
+    flanks: Flanks,
+    settings: dict[str, Any],
+    force: float = 0.0,
 ) -> PairStiffness:
     """Return the stiffness of one tooth pair along the path of contact.
 
@@ -94,7 +101,15 @@ def mesh_stiffness(pairs: PairStiffness, entering: np.ndarray, leaving: np.ndarr
     return np.where(leaving < 0, 1 / own, double)
 
 
-def _profile_changes(mode, flanks, i, curvature, angles, base, half):
+def _profile_changes(
+    mode: str,
+    flanks: Flanks,
+    i: int,
+    curvature: np.ndarray,
+    angles: np.ndarray,
+    base: float,
+    half: float,
+) -> tuple[np.ndarray | None, Callable[[np.ndarray], np.ndarray] | None, tuple[float, ...]]:
     """Return D (n,), the function H(section angles) and the angles where it jumps: see docs/model.md."""
     if mode == "off":
         return None, None, ()
@@ -103,7 +118,7 @@ def _profile_changes(mode, flanks, i, curvature, angles, base, half):
     known = curvature[order] / base
     jumps = known[np.concatenate([[True], np.diff(known) == 0])]  # where wear begins and where the load steps
 
-    def at_section(values, section, below):
+    def at_section(values: np.ndarray, section: np.ndarray, below: float | None) -> np.ndarray:
         return np.interp(half - section, known, values[order], left=below)
 
     if mode == "paper":
@@ -111,7 +126,7 @@ def _profile_changes(mode, flanks, i, curvature, angles, base, half):
     else:
         arm = wear * np.cos(angles) * np.sin(angles) / (2 * base)
 
-    def section_change(section):
+    def section_change(section: np.ndarray) -> np.ndarray:
         cos = np.cos(section)
         worn = at_section(wear, section, 0.0)  # no wear below the start of contact
         grown = at_section(growth, section, None)
@@ -121,12 +136,14 @@ def _profile_changes(mode, flanks, i, curvature, angles, base, half):
     return arm, section_change, tuple(half - jumps)
 
 
-def _linear_hertz(modulus, poisson_ratio, width: float) -> float:
+def _linear_hertz(modulus: np.ndarray, poisson_ratio: np.ndarray, width: float) -> float:
     """Contact compliance of a pair, 4 (1 - nu^2)/(pi E B) (m/N), mean of both gears: Yang and Sun (1985)."""
     return 4 / (np.pi * width) * float(np.mean((1 - poisson_ratio**2) / modulus))
 
 
-def _weber_hertz(geometry, radii, modulus, poisson_ratio, load):
+def _weber_hertz(
+    geometry: xr.Dataset, radii: np.ndarray, modulus: np.ndarray, poisson_ratio: np.ndarray, load: np.ndarray
+) -> np.ndarray:
     """Contact compliance (m/N) under `load` (N): Weber (1949), line contact with the depths to the tooth axes.
 
     delta = 4 F (1 - nu^2)/(pi B E) [ln(2 sqrt(h1 h2)/a) - nu/(2 (1 - nu))].

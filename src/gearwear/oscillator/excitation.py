@@ -7,9 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+import xarray as xr
 
 from gearwear.errors import Infeasible
 from gearwear.geometry.kinematics import mesh_force
@@ -54,7 +55,9 @@ class Excitation(NamedTuple):
     stiffest_phase: float
     bearings: Mapping[str, Bearing | float] = MappingProxyType({})
 
-    def oscillator(self, settings: dict, frequency: float, error_amplitude: float | None = None) -> Oscillator:
+    def oscillator(
+        self, settings: dict[str, Any], frequency: float, error_amplitude: float | None = None
+    ) -> Oscillator:
         """Return the oscillator at a mesh frequency (over the natural one) and an error amplitude (over b0)."""
         amplitude = self.error_amplitude if error_amplitude is None else error_amplitude
         torque = settings["torque_fluctuation"]
@@ -73,7 +76,9 @@ class Excitation(NamedTuple):
         )
 
 
-def excitation(geometry, state, reference, pinion_torque: float, settings: dict) -> Excitation:
+def excitation(
+    geometry: xr.Dataset, state: Any, reference: Any, pinion_torque: float, settings: dict[str, Any]
+) -> Excitation:
     """Return the excitation of one state.
 
     Parameters
@@ -141,7 +146,7 @@ def _sum(mean: float, values: np.ndarray, phase: np.ndarray, width: np.ndarray, 
     return Harmonics(mean, tuple(amplitudes), tuple(phases))
 
 
-def _bearings(geometry, mesh_stiffness: float, settings: dict) -> dict[str, Bearing | float]:
+def _bearings(geometry: xr.Dataset, mesh_stiffness: float, settings: dict[str, Any]) -> dict[str, Bearing | float]:
     """Return the bearings over the equivalent mass and the mean mesh stiffness (N/m), and the angle of the mesh."""
     found: dict[str, Bearing | float] = {"pressure_angle": float(geometry["working_pressure_angle"])}
     for i, name in enumerate(geometry["gear"].values):
@@ -155,7 +160,9 @@ def _bearings(geometry, mesh_stiffness: float, settings: dict) -> dict[str, Bear
     return found
 
 
-def swept_oscillator(source: Excitation, sweep: str, value: float, settings: dict, swept: dict) -> Oscillator:
+def swept_oscillator(
+    source: Excitation, sweep: str, value: float, settings: dict[str, Any], swept: dict[str, Any]
+) -> Oscillator:
     """Return the oscillator at one value of a sweep.
 
     Parameters
@@ -191,15 +198,24 @@ class SweptOscillator(NamedTuple):
 
     source: Excitation
     quantity: str
-    dynamics: dict
-    settings: dict = {}  # noqa: RUF012 (never written to)
+    dynamics: dict[str, Any]
+    settings: dict[str, Any] = {}  # noqa: RUF012 (never written to)
 
     def at(self, value: float) -> Oscillator:
         """Return the oscillator at a value of the swept quantity."""
         return swept_oscillator(self.source, self.quantity, float(value), self.dynamics, self.settings)
 
 
-def _amplitudes(meaning, error, reference, stiffness_name, force, ratio, phase, width) -> tuple[float, float]:
+def _amplitudes(
+    meaning: str,
+    error: np.ndarray,
+    reference: Any,
+    stiffness_name: str,
+    force: float,
+    ratio: float,
+    phase: np.ndarray,
+    width: np.ndarray,
+) -> tuple[float, float]:
     """Return the error amplitude (m) of the state and that of the reference case.
 
     `nominal`: mean force over the mean stiffness of the reference case, times the relative mean error; `mean`: mean

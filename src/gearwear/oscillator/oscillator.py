@@ -33,7 +33,7 @@ class ExternalTorque:
     amplitudes: tuple[float, ...] = ()
     phases: tuple[float, ...] = ()
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         ratio = finite_floats((self.frequency_ratio,), "external torque")[0]
         if ratio <= 0.0:
             raise Infeasible(f"external torque: frequency_ratio {ratio} (of the mesh frequency) must be above 0")
@@ -116,7 +116,7 @@ class Oscillator:
     clearance: Harmonics = Harmonics(1.0)
     torque: ExternalTorque = ExternalTorque()
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         for name in ("frequency", "damping_ratio", "mean_force"):
             object.__setattr__(self, name, finite_floats((getattr(self, name),), name)[0])
         for name in ("frequency", "damping_ratio"):

@@ -3,13 +3,14 @@
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import isfinite
+from typing import Any
 
 import numpy as np
 
 from gearwear.errors import Infeasible
 
 
-def finite_floats(values, quantity: str) -> tuple[float, ...]:
+def finite_floats(values: Any, quantity: str) -> tuple[float, ...]:
     """The values as a tuple of floats; ValueError if one of them is not finite."""
     numbers = tuple(map(float, values))
     for number in numbers:
@@ -38,7 +39,7 @@ class Harmonics:
     amplitudes: tuple[float, ...] = ()
     phases: tuple[float, ...] = ()
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         object.__setattr__(self, "mean", finite_floats((self.mean,), "harmonics mean")[0])
         object.__setattr__(self, "amplitudes", finite_floats(self.amplitudes, "harmonics amplitudes"))
         object.__setattr__(self, "phases", finite_floats(self.phases, "harmonics phases"))
@@ -48,18 +49,18 @@ class Harmonics:
                 "for every amplitude"
             )
 
-    def at(self, phase) -> np.ndarray:
+    def at(self, phase: np.ndarray) -> np.ndarray:
         """Values at mesh phases (periods, any shape)."""
         return self._derivative(np.asarray(phase, dtype=float), 0)
 
-    def _derivative(self, phase, order: int) -> np.ndarray:
+    def _derivative(self, phase: np.ndarray, order: int) -> np.ndarray:
         value = np.full(phase.shape, self.mean if order == 0 else 0.0)
         for j, (amplitude, shift) in enumerate(zip(self.amplitudes, self.phases, strict=True), start=1):
             angle = 2 * np.pi * j * phase + shift + order * np.pi / 2
             value = value + amplitude * (2 * np.pi * j) ** order * np.cos(angle)
         return value
 
-    def jump(self, phase) -> np.ndarray:
+    def jump(self, phase: np.ndarray) -> np.ndarray:
         """Jump of the function at mesh phases: none."""
         return np.zeros(np.shape(phase))
 
@@ -109,7 +110,7 @@ class PeriodicTable:
     start: tuple[float, ...]
     end: tuple[float, ...]
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         for name in ("breaks", "start", "end"):
             object.__setattr__(self, name, finite_floats(getattr(self, name), f"table {name}"))
         if len(self.breaks) < 2 or self.breaks[0] != 0.0 or self.breaks[-1] != 1.0:
@@ -124,14 +125,14 @@ class PeriodicTable:
             if len(getattr(self, name)) != cells:
                 raise Infeasible(f"table {name}: {len(getattr(self, name))} values for {cells} cells; give one a cell")
 
-    def at(self, phase) -> np.ndarray:
+    def at(self, phase: np.ndarray) -> np.ndarray:
         """Values at mesh phases in [0, 1); at a break the value of the cell that begins there."""
         breaks, phase = np.array(self.breaks), np.asarray(phase, dtype=float)
         cell = np.clip(np.searchsorted(breaks, phase, side="right") - 1, 0, len(breaks) - 2)
         share = (phase - breaks[cell]) / (breaks[cell + 1] - breaks[cell])
         return (1 - share) * np.array(self.start)[cell] + share * np.array(self.end)[cell]
 
-    def jump(self, phase) -> np.ndarray:
+    def jump(self, phase: np.ndarray) -> np.ndarray:
         """Jump of the function at mesh phases in [0, 1]: value after less value before, zero between the breaks."""
         breaks, phase = np.array(self.breaks), np.asarray(phase, dtype=float)
         cell = np.clip(np.searchsorted(breaks, phase), 0, len(breaks) - 1)

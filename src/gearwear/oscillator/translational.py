@@ -36,7 +36,7 @@ class Bearing:
     stiffness: tuple[float, float]
     damping_ratio: float
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         object.__setattr__(self, "stiffness", finite_floats(self.stiffness, "bearing stiffness"))
         for name in ("mass", "damping_ratio"):
             object.__setattr__(self, name, finite_floats((getattr(self, name),), f"bearing {name}")[0])

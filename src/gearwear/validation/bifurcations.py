@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from functools import lru_cache
+from typing import Any
 
 from gearwear.codes.branch_codes import FOLD, PERIOD_DOUBLING
 from gearwear.orbits.branches import Branch, Seed, explore
@@ -22,14 +23,14 @@ def _branches(given: str) -> list[Branch]:
     return explore(family, [Seed(frequency, tuple(state), 1)], Limits(first, last), largest_period)
 
 
-def _points(route: dict, kind: str, period: int) -> list[Node]:
+def _points(route: dict[str, Any], kind: str, period: int) -> list[Node]:
     names = ("system", "first", "last", "frequency", "state", "largest_period")
     found = _branches(json.dumps([route[name] for name in names]))
     nodes = [node for branch in found if branch.period == period for node in branch.nodes]
     return sorted((node for node in nodes if node.special == _KINDS[kind][0]), key=lambda node: node.orbit.value)
 
 
-def special_points(route: dict, kind: str, period: int):
+def special_points(route: dict[str, Any], kind: str, period: int) -> list[float]:
     """Return the frequencies of the folds or doublings of the orbits of a period.
 
     Parameters
@@ -39,7 +40,7 @@ def special_points(route: dict, kind: str, period: int):
     return [node.orbit.value for node in _points(route, kind, period)]
 
 
-def less_second_method(route: dict, kind: str, period: int):
+def less_second_method(route: dict[str, Any], kind: str, period: int) -> list[float]:
     """Return the same less what the eighth-order integrator with events finds, started 1e-5 away."""
     return [
         orbit.value

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 
 from gearwear.geometry.kinematics import curvature
-from gearwear.integrate.strobe import GENERAL, STATES, strobe
+from gearwear.integrate.status import STATES
+from gearwear.integrate.strobe import GENERAL, strobe
 from gearwear.mesh.cantilever import load_angle, tooth_compliance
 from gearwear.oscillator.harmonics import harmonics, mean_over_mesh
 from gearwear.validation.oscillator import oscillator_of
@@ -18,7 +19,7 @@ from gearwear.validation.wear import worn_mesh
 _FINEST_RULE, _FINEST_GRID = 96, 960
 
 
-def gauss_points(pair: dict, points: float) -> float:
+def gauss_points(pair: dict[str, Any], points: float) -> float:
     """Return the largest relative error of any tooth compliance along the path, clamped at the root circle."""
     geometry = geometry_of(**pair)
     errors = []
@@ -33,36 +34,36 @@ def gauss_points(pair: dict, points: float) -> float:
     return max(errors)
 
 
-def _mesh(pair: dict, cells: float):
+def _mesh(pair: dict[str, Any], cells: float) -> Any:
     geometry = geometry_of(**pair, mesh_cells=int(cells))
     k, width = mesh_of(geometry), geometry["mesh_phase_width"].values
     amplitude, angle = harmonics(k, geometry["mesh_phase"].values, width, 1)
     return mean_over_mesh(k, width), amplitude[0], angle[0]
 
 
-def mesh_cells_mean(pair: dict, cells: float) -> float:
+def mesh_cells_mean(pair: dict[str, Any], cells: float) -> float:
     """Return the relative error of the mean mesh stiffness on a grid of mesh phases."""
     return abs(_mesh(pair, cells)[0] / _mesh(pair, _FINEST_GRID)[0] - 1)
 
 
-def mesh_cells_amplitude(pair: dict, cells: float) -> float:
+def mesh_cells_amplitude(pair: dict[str, Any], cells: float) -> float:
     """Return the relative error of the first harmonic of the mesh stiffness."""
     return abs(_mesh(pair, cells)[1] / _mesh(pair, _FINEST_GRID)[1] - 1)
 
 
-def path_cells(pair: dict, torque: float, cells: float) -> float:
+def path_cells(pair: dict[str, Any], torque: float, cells: float) -> float:
     """Return the relative error of the mean transmission error of a worn mesh on a grid of the path."""
     coarse, fine = (worn_mesh(pair, torque, mesh_cells=int(n)).error_ratio for n in (cells, _FINEST_GRID))
     return abs(coarse / fine - 1)
 
 
-def wear_blocks(pair: dict, torque: float, blocks: float, finest: int = 700, **law: Any) -> float:
+def wear_blocks(pair: dict[str, Any], torque: float, blocks: float, finest: int = 700, **law: Any) -> float:
     """Return the relative error of the deepest wear of 2.1e9 revolutions in some blocks of constant increment."""
     coarse, fine = (worn_mesh(pair, torque, blocks=int(n), **law).depth.max() for n in (blocks, finest))
     return coarse / fine - 1
 
 
-def tolerance(system: dict, frequency: float, tolerance: float) -> float:
+def tolerance(system: dict[str, Any], frequency: float, tolerance: float) -> float:
     """Return how far the general integrator is from the affine map after 20 periods from rest."""
     oscillator = oscillator_of(frequency, **system)
     exact = strobe(oscillator, (0.0, 0.0), 20, detail=STATES).states

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -47,7 +47,7 @@ class Outcome(NamedTuple):
         return AGREES if all(self.agreements) else DIFFERS
 
 
-def compute(check: Check, quantities: Mapping[str, Callable]) -> Outcome:
+def compute(check: Check, quantities: Mapping[str, Callable[..., Any]]) -> Outcome:
     """Return what the program finds.
 
     Raises

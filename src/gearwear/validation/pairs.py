@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
 import xarray as xr
 
 from gearwear.geometry.contact_path import contact_path
@@ -10,12 +13,12 @@ from gearwear.geometry.record import dataset
 
 
 def geometry_of(
-    teeth,
+    teeth: Sequence[float],
     module: float,
     face_width: float,
-    bore_radius,
-    profile_shift=(0.0, 0.0),
-    addendum=(1.0, 1.0),
+    bore_radius: Any,
+    profile_shift: Any = (0.0, 0.0),
+    addendum: Any = (1.0, 1.0),
     centre_distance: float | None = None,
     mesh_cells: int = 240,
 ) -> xr.Dataset:
@@ -24,7 +27,7 @@ def geometry_of(
     Of teeth, bore radius, profile shift and addendum coefficient there are two, of pinion and gear.
     """
 
-    def both(values):
+    def both(values: Sequence[float]) -> dict[str, Any]:
         return dict(zip(GEARS, values, strict=True))
 
     pair = gear_pair(
@@ -41,7 +44,7 @@ def geometry_of(
     return dataset(pair, contact_path(pair, mesh_cells))
 
 
-def standard_pair(teeth, root_over_bore: float, mesh_cells: int = 240) -> xr.Dataset:
+def standard_pair(teeth: Sequence[float], root_over_bore: float, mesh_cells: int = 240) -> xr.Dataset:
     """Return an unshifted pair, 3 mm module, 20 mm wide, whose bores are root radius over `root_over_bore`."""
     bores = [(z - 2.5) * 1.5e-3 / root_over_bore for z in teeth]
     return geometry_of(teeth, 3e-3, 20e-3, bores, mesh_cells=mesh_cells)

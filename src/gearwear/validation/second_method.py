@@ -6,6 +6,8 @@ met; Newton's method on orbit and special point at once.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.optimize import root
@@ -13,7 +15,7 @@ from scipy.optimize import root
 FOLD, DOUBLING = 1.0, -1.0  # multiplier at the special point
 
 
-def special_frequency(system: dict, period: int, multiplier: float, frequency: float, state) -> float:
+def special_frequency(system: dict[str, Any], period: int, multiplier: float, frequency: float, state: Any) -> float:
     """Return the frequency where an orbit has a multiplier 1 or -1.
 
     Parameters
@@ -27,7 +29,7 @@ def special_frequency(system: dict, period: int, multiplier: float, frequency: f
     ValueError : no such orbit nearby.
     """
 
-    def conditions(unknown):
+    def conditions(unknown: np.ndarray) -> list[Any]:
         after, matrix = _run(system, unknown[2], unknown[:2], period)
         return [*(after - unknown[:2]), np.linalg.det(matrix - multiplier * np.eye(2))]
 
@@ -37,13 +39,13 @@ def special_frequency(system: dict, period: int, multiplier: float, frequency: f
     return float(found.x[2])
 
 
-def _run(system: dict, frequency: float, state, periods: int):
+def _run(system: dict[str, Any], frequency: float, state: Any, periods: int) -> Any:
     """Return state and monodromy matrix after some forcing periods."""
     orders = frequency * np.arange(1, 1 + max(len(system["stiffness"]), len(system["error"])))
     k, e = (np.zeros(len(orders)) for _ in range(2))
     k[: len(system["stiffness"])], e[: len(system["error"])] = system["stiffness"], system["error"]
 
-    def rate(t, y, side):
+    def rate(t: float, y: np.ndarray, side: float) -> np.ndarray:
         wave = np.cos(orders * t)
         stiffness = abs(side) * (1 + k @ wave)
         matrix = np.array([[0.0, 1.0], [-stiffness, -2 * system["damping_ratio"]]])
@@ -62,10 +64,10 @@ def _run(system: dict, frequency: float, state, periods: int):
     return y[:2], y[2:].reshape(2, 2)
 
 
-def _corner(position: float, direction: float):
+def _corner(position: float, direction: float) -> Any:
     """Return the event that the displacement passes `position` in a direction; a start on it is none."""
 
-    def distance(t, y, side):
+    def distance(t: float, y: np.ndarray, side: float) -> np.ndarray:
         return y[0] - position
 
     vars(distance).update(terminal=True, direction=direction)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
+import xarray as xr
 
 from gearwear.geometry.kinematics import curvature
 from gearwear.mesh.cantilever import load_angle
@@ -23,80 +25,80 @@ _SETTINGS = {
 }
 
 
-def pairs_of(geometry, modulus: float = 206e9, cantilever: str = "base") -> PairStiffness:
+def pairs_of(geometry: xr.Dataset, modulus: float = 206e9, cantilever: str = "base") -> PairStiffness:
     """Return the stiffness of unworn, cold pairs of one steel, Poisson's ratio 0.3."""
     unchanged = Flanks(*np.zeros((2, 2, geometry.sizes["path"])))
     settings = _SETTINGS | {"cantilever": cantilever}
     return pair_stiffness(geometry, np.full(2, modulus), np.full(2, 0.3), unchanged, settings)
 
 
-def mesh_of(geometry, modulus: float = 206e9, cantilever: str = "base") -> np.ndarray:
+def mesh_of(geometry: xr.Dataset, modulus: float = 206e9, cantilever: str = "base") -> np.ndarray:
     """Return the mesh stiffness of such pairs (N/m, (m,))."""
     found = pairs_of(geometry, modulus, cantilever)
     return mesh_stiffness(found, geometry["entering"].values, geometry["leaving"].values)
 
 
-def _at_pitch_point(geometry) -> int:
+def _at_pitch_point(geometry: xr.Dataset) -> int:
     return int(np.argmin(abs(geometry["path"].values - float(geometry["pitch_point"]))))
 
 
-def load_angles(pair: dict):
+def load_angles(pair: dict[str, Any]) -> np.ndarray:
     """Return the load angle at the pitch point (rad), pinion and gear."""
     geometry = geometry_of(**pair)
     radii = curvature(geometry)[0][:, _at_pitch_point(geometry)]
     return load_angle(radii, geometry["base_radius"].values, geometry["base_half_angle"].values)
 
 
-def body_factors(pair: dict, gear: int):
+def body_factors(pair: dict[str, Any], gear: int) -> np.ndarray:
     """Return L*, M*, P*, Q* of a gear."""
     geometry = geometry_of(**pair)
     ratio = float(geometry["root_radius"][gear] / geometry["bore_radius"][gear])
     return foundation_factors(ratio, float(geometry["rack_root_angle"][gear]))
 
 
-def component(pair: dict, modulus: float, part: str, cantilever: str = "base"):
+def component(pair: dict[str, Any], modulus: float, part: str, cantilever: str = "base") -> np.ndarray:
     """Return the stiffness of a part at the pitch point (N/m): pinion and gear, one value for the contact."""
     geometry = geometry_of(**pair)
     compliance = getattr(pairs_of(geometry, modulus, cantilever), part)
     return 1 / compliance[..., _at_pitch_point(geometry)]
 
 
-def pair_at_marks(pair: dict, modulus: float):
+def pair_at_marks(pair: dict[str, Any], modulus: float) -> np.ndarray:
     """Return the pair stiffness at start of contact, pitch point and end of contact (N/m)."""
     geometry = geometry_of(**pair)
     return pairs_of(geometry, modulus).pair_stiffness[[0, _at_pitch_point(geometry), -1]]
 
 
-def mesh_mean(pair: dict, modulus: float, cantilever: str = "base") -> float:
+def mesh_mean(pair: dict[str, Any], modulus: float, cantilever: str = "base") -> float:
     """Return the mean mesh stiffness (N/m)."""
     geometry = geometry_of(**pair)
     return float(mean_over_mesh(mesh_of(geometry, modulus, cantilever), geometry["mesh_phase_width"].values))
 
 
-def mesh_range(pair: dict, modulus: float):
+def mesh_range(pair: dict[str, Any], modulus: float) -> tuple[Any, Any]:
     """Return the least and largest mesh stiffness (N/m)."""
     k = mesh_of(geometry_of(**pair), modulus)
     return k.min(), k.max()
 
 
-def _first_harmonic(pair: dict, modulus: float):
+def _first_harmonic(pair: dict[str, Any], modulus: float) -> tuple[float, float]:
     geometry = geometry_of(**pair)
     phase, width = geometry["mesh_phase"].values, geometry["mesh_phase_width"].values
     amplitude, angle = harmonics(mesh_of(geometry, modulus), phase, width, 1)
     return float(amplitude[0]), float(angle[0])
 
 
-def mesh_amplitude(pair: dict, modulus: float) -> float:
+def mesh_amplitude(pair: dict[str, Any], modulus: float) -> float:
     """Return the amplitude of the first harmonic of the mesh stiffness (N/m)."""
     return _first_harmonic(pair, modulus)[0]
 
 
-def mesh_angle(pair: dict, modulus: float) -> float:
+def mesh_angle(pair: dict[str, Any], modulus: float) -> float:
     """Return the phase of the first harmonic (rad), zero at pair entry."""
     return _first_harmonic(pair, modulus)[1]
 
 
-def amplitude_over_rectangle(pair: dict, modulus: float) -> float:
+def amplitude_over_rectangle(pair: dict[str, Any], modulus: float) -> float:
     """Return the first harmonic over that of the rectangular wave of the mean stiffness of either zone."""
     geometry = geometry_of(**pair)
     k, width = mesh_of(geometry, modulus), geometry["mesh_phase_width"].values
@@ -106,7 +108,7 @@ def amplitude_over_rectangle(pair: dict, modulus: float) -> float:
     return mesh_amplitude(pair, modulus) / rectangle
 
 
-def share_at_start(pair: dict, modulus: float) -> float:
+def share_at_start(pair: dict[str, Any], modulus: float) -> float:
     """Return the part of the force on the entering pair at the start of contact."""
     geometry = geometry_of(**pair)
     springs = pairs_of(geometry, modulus)
@@ -122,7 +124,9 @@ def equal_gears_angle(teeth: int, root_over_bore: float = 3.0) -> float:
     return float(angle) + math.pi * (float(geometry["contact_ratio"]) - 1)
 
 
-def scaled(pair: dict, modulus: float, lengths: float = 1.0, width: float = 1.0, stiffer: float = 1.0) -> float:
+def scaled(
+    pair: dict[str, Any], modulus: float, lengths: float = 1.0, width: float = 1.0, stiffer: float = 1.0
+) -> float:
     """Return the mean mesh stiffness of a pair with lengths, face width and modulus multiplied, over its own."""
     changed = pair | {
         "module": lengths * pair["module"],
@@ -132,7 +136,7 @@ def scaled(pair: dict, modulus: float, lengths: float = 1.0, width: float = 1.0,
     return mesh_mean(changed, stiffer * modulus) / mesh_mean(pair, modulus)
 
 
-def base_over_root(pair: dict) -> float:
+def base_over_root(pair: dict[str, Any]) -> float:
     """Return the pair stiffness at the pitch point clamped at the base circle over that clamped at the root."""
     geometry = geometry_of(**pair)
     node = _at_pitch_point(geometry)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -18,7 +18,7 @@ _REVOLUTIONS, _VISCOSITY, _ROUGHNESS = 2.1e9, 0.0094, 0.5e-6
 
 
 def contact(
-    radii,
+    radii: np.ndarray,
     load_per_width: float,
     speed: float,
     ratio: float,
@@ -94,7 +94,7 @@ class Worn(NamedTuple):
 
 
 def worn_mesh(
-    pair: dict,
+    pair: dict[str, Any],
     torque: float,
     pressure_viscosity: float = 2.1e-8,
     constant: float | None = None,
@@ -139,7 +139,7 @@ def worn_mesh(
     return Worn(depth, path, float(geometry["pitch_point"]), errors[-1] / errors[0], film, film_factor(film) * boundary)
 
 
-def contact_value(name: str, given: dict):
+def contact_value(name: str, given: dict[str, Any]) -> np.ndarray:
     """Return one of the numbers of `contact`."""
     return contact(**given)[name]
 
@@ -151,7 +151,7 @@ def film_factors(film_ratio: float) -> float:
 
 def coefficient(pressure_viscosity: float, roughness: float, load_per_width: float) -> float:
     """Return the boundary wear coefficient (m2/N) of a contact of 10 mm radius."""
-    return boundary_wear_coefficient(load_per_width, 10e-3, STEEL, pressure_viscosity, roughness)
+    return float(boundary_wear_coefficient(load_per_width, 10e-3, STEEL, pressure_viscosity, roughness))
 
 
 def exponent(of: str) -> float:
@@ -160,35 +160,35 @@ def exponent(of: str) -> float:
 
     def at(factor: float) -> float:
         load, radius, modulus = (given | {of: factor * given[of]}).values()
-        return boundary_wear_coefficient(load, radius, modulus, 2e-8, 0.5e-6)
+        return float(boundary_wear_coefficient(load, radius, modulus, 2e-8, 0.5e-6))
 
     return float(np.log(at(2.0) / at(1.0)) / np.log(2.0))
 
 
-def deepest(**mesh):
+def deepest(**mesh: Any) -> list[Any]:
     """Return the deepest wear (m): pinion dedendum and addendum, gear addendum and dedendum."""
     worn = worn_mesh(**mesh)
     before = worn.path < worn.pitch_point
     return [worn.depth[gear][part].max() for gear in (0, 1) for part in (before, ~before)]
 
 
-def deepest_of_all(**mesh) -> float:
+def deepest_of_all(**mesh: Any) -> float:
     """Return the deepest wear anywhere (m)."""
     return worn_mesh(**mesh).depth.max()
 
 
-def error_ratio(**mesh) -> float:
+def error_ratio(**mesh: Any) -> float:
     """Return the mean loaded transmission error, worn over unworn."""
     return worn_mesh(**mesh).error_ratio
 
 
-def range_of(name: str, **mesh):
+def range_of(name: str, **mesh: Any) -> tuple[Any, Any]:
     """Return least and largest value along the path of the unworn mesh."""
     values = getattr(worn_mesh(**mesh), name)
     return values.min(), values.max()
 
 
-def overshoot_at_start(finest: int, **mesh) -> float:
+def overshoot_at_start(finest: int, **mesh: Any) -> float:
     """Return the wear at the start of contact over that of the finest blocks."""
     return worn_mesh(**mesh).depth[0, 0] / worn_mesh(**mesh | {"blocks": finest}).depth[0, 0]
 

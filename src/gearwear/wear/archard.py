@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from gearwear.contact.film import film_thickness
 from gearwear.contact.hertz import hertz_half_width
 
 
-def boundary_wear_coefficient(load_per_width, radius, contact_modulus, pressure_viscosity, roughness):
+def boundary_wear_coefficient(
+    load_per_width: float | np.ndarray,
+    radius: float | np.ndarray,
+    contact_modulus: float | np.ndarray,
+    pressure_viscosity: float | np.ndarray,
+    roughness: float | np.ndarray,
+) -> np.ndarray:
     """Return the wear coefficient of boundary lubrication (m2/N).
 
     k = 3.981e29/E' L^1.219 G^-7.377 S^1.589 with L = F'/(E' R), G = alpha E', S = R_rms/R: Janakiraman, Li and
@@ -24,7 +32,7 @@ def boundary_wear_coefficient(load_per_width, radius, contact_modulus, pressure_
     )
 
 
-def film_factor(film_ratio):
+def film_factor(film_ratio: float | np.ndarray) -> np.ndarray:
     """Return the part of the boundary wear coefficient that is left under a film (0 to 1).
 
     1 below a film ratio of 1/2, (2/7)(4 - ratio) up to 4, 0 above: Ding and Kahraman, J. Sound Vib. 307 (2007).
@@ -53,7 +61,7 @@ def wear_per_revolution(
     face_width: float,
     contact_modulus: float,
     viscosity: float,
-    lubricant: dict,
+    lubricant: dict[str, Any],
     law: str,
     coefficient: float,
     pressure: str,
