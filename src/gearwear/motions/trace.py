@@ -42,7 +42,7 @@ def portraits(swept: SweptOscillator, values: np.ndarray, settling: Settling) ->
         periods = motion.period or LONGEST_PORTRAIT
         _trace(orbits[:, i], oscillator, end_of(motion), periods, reached, swept.dynamics["tolerance"])
     table = columns(motions, settling.sampled_periods, swept.source.force_parameter)
-    return _dataset(table, ("displacement", "velocity"), orbits, swept.quantity, values)
+    return _dataset(table, ("displacement", "velocity"), orbits, swept.quantity, values).reset_coords("orbit_period")
 
 
 def steady_motions(swept: SweptOscillator, sweep: xr.Dataset) -> xr.Dataset:
