@@ -62,6 +62,8 @@ def test_events_of_the_pristine_pair_are_located(onsets):
     assert list(table["event"].values) == list(EVENTS)
     assert table["onset"].values[:3] == pytest.approx([1.0438, 1.1889, 1.2719], abs=2e-3)
     assert 1.272 < table["onset"].values[3] < 1.31
+    meanings = store.attributes_of("onset_how", ("event",), table["onset_how"].dtype)["flag_meanings"]
+    assert meanings.split() == ["absent", "met", "passed_by", "below_range"]
     assert table["onset_how"].values.tolist() == [MET, MET, PASSED_BY, MET]  # the step is too long to show period 8
 
 
