@@ -17,6 +17,8 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).resolve().parents[1]
 _READ_AND_WRITE = ("io.store:save", "io.store:load")  # every stage does
+# What the keys of the configuration are: their values reach a stage as settings, their help texts no number.
+_DECLARATIONS = ("config.pair", "config.study", "config.types")
 _DIGITS = 16
 _WHOLE = "*"  # all definitions of a module
 _AT_IMPORT = ""  # what a module does when it is imported
@@ -80,7 +82,7 @@ def reached(targets: Iterable[str], package: Path = PACKAGE) -> set[tuple[Symbol
     todo: list[Symbol] = [(module, name) for module, _, name in (target.partition(":") for target in targets)]
     while todo:
         symbol = todo.pop()
-        if symbol in seen:
+        if symbol in seen or symbol[0] in _DECLARATIONS:
             continue
         seen.add(symbol)
         codes, symbols = _definition(symbol, package)
