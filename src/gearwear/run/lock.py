@@ -27,7 +27,7 @@ def only_looks(arguments: list[str]) -> bool:
 
 
 class NoLocks(RuntimeError):
-    """The file system of the working directory has no locks."""
+    """The working directory cannot be written or has no locks."""
 
 
 def hold() -> str:
@@ -40,10 +40,15 @@ def hold() -> str:
     Raises
     ------
     RunningAlready : another run holds it.
-    NoLocks : its file system does not know `flock`.
+    NoLocks : it cannot be written, or its file system does not know `flock`.
     """
-    LOCK.parent.mkdir(exist_ok=True)
-    descriptor = os.open(LOCK, os.O_RDWR | os.O_CREAT, 0o644)
+    try:
+        LOCK.parent.mkdir(exist_ok=True)
+        descriptor = os.open(LOCK, os.O_RDWR | os.O_CREAT, 0o644)
+    except OSError as error:
+        raise NoLocks(
+            f"{Path.cwd()}: cannot be written ({error.strerror}): run in a folder of your own with --directory FOLDER"
+        ) from None
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:

@@ -114,3 +114,13 @@ def test_commands_that_only_look_take_no_lock(line):
 )
 def test_commands_that_work_take_it(line):
     assert not only_looks(line.split())
+
+
+def test_a_folder_that_cannot_be_written_is_named_with_the_option_that_helps(tmp_path, monkeypatch):
+    def refuse(*_, **__):
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(lock.Path, "mkdir", refuse)
+    with pytest.raises(lock.NoLocks, match=f"{tmp_path}: cannot be written .Permission denied.: .* --directory FOLDER"):
+        lock.hold()
