@@ -86,7 +86,7 @@ def configuration_page() -> str:
 
 
 def targets_page() -> str:
-    snakefile = next(path for path in (ROOT / "workflow" / "Snakefile", ROOT / "Snakefile") if path.exists())
+    snakefile = ROOT / "workflow" / "Snakefile"
     return f"```text\n{targets.page(snakefile)}```\n"
 
 

@@ -13,7 +13,7 @@ CONFIGURED = f'configfile: "{ROOT}/config/config.yaml"\nconfigfile: "{ROOT}/conf
 
 def snakemake(folder, config, prefix, *arguments):
     """Run a Snakefile in a folder that imports every rule, and return what it printed."""
-    lines = [f'    snakefile: "{ROOT}/Snakefile"']
+    lines = [f'    snakefile: "{ROOT}/workflow/Snakefile"']
     lines += ["    config: config"] * config
     lines += [f'    prefix: "{prefix}"'] * bool(prefix)
     module = "\n".join(["module gearwear:", *lines, "", "use rule * from gearwear as g_*", ""])

@@ -9,7 +9,7 @@ from gearwear.run import stages
 from gearwear.run.digest import digest
 
 ROOT = Path(__file__).resolve().parents[2]
-TARGETS = set(re.findall(r"^rule (\w+):", (ROOT / "Snakefile").read_text(), flags=re.MULTILINE))
+TARGETS = set(re.findall(r"^rule (\w+):", (ROOT / "workflow" / "Snakefile").read_text(), flags=re.MULTILINE))
 
 
 def test_every_rule_with_results_has_log_benchmark_message_settings_and_code(rules):

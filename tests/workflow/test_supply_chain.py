@@ -32,6 +32,7 @@ FUNCTIONS_OF_OTHERS = {"re.compile"}  # of patterns
 # Modules of this package that are looked up in its own tables.
 LOOKED_UP = ("__init__.py", "io/variables.py", "run/stage.py", "run/stages.py")
 EXCEPTIONS = {f"src/gearwear/{name}": ["import_module"] for name in LOOKED_UP}
+EXCEPTIONS["src/gearwear/integrate/compiled.py"] = ["pickle"]  # machine code, run anyhow, in the user's own folder
 EXCEPTIONS["src/gearwear/run/orphans.py"] = ["ctypes"]  # asks the kernel to end a job with its workflow
 LOADERS = {"load", "load_all", "unsafe_load", "full_load", "Loader", "UnsafeLoader", "FullLoader"}
 

@@ -10,7 +10,7 @@ from gearwear.run import help
 
 ROOT = Path(__file__).resolve().parents[2]
 
-SNAKEFILE = ROOT / "Snakefile"
+SNAKEFILE = ROOT / "workflow" / "Snakefile"
 
 
 def test_every_target_says_what_it_makes_and_what_it_costs():

@@ -16,7 +16,6 @@ from gearwear.config.slices import slice_of
 from gearwear.heat.bulk import resolved
 from gearwear.run import digest, lock, orphans, stage, stages, token
 
-ROOT = Path(workflow.current_basedir.get_path_or_uri(secret_free=True)).parents[1]
 DIRECTIONS = ("restart", "up", "down")
 MEMBER = "studies/[a-z][a-z0-9_]*/[a-z][a-z0-9_]*/"
 

@@ -1,4 +1,4 @@
-"""The targets of the workflow as a page of help, from the docstrings of the rules in the Snakefile."""
+"""The targets of the workflow as a page of help, from the docstrings of the rules in workflow/Snakefile."""
 
 from __future__ import annotations
 
