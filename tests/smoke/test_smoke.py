@@ -146,22 +146,13 @@ def test_bad_config_stops_before_any_job(smoke_run, tmp_path):
     assert not list(tmp_path.rglob("*.nc"))
 
 
-@pytest.mark.parametrize(
-    "change, words",
-    [
-        ("gear_pair: {addendum_coefficient: {pinion: 0.45, gear: 0.45}}", ["contact ratio", "between 1 and 2"]),
-        ("gear_pair: {bore_radius: {pinion: 0.05}}", ["bore_radius.pinion", "root radius"]),
-        ("backlash: {half_backlash: 1.0e-6}", ["jam", "half backlash", "um"]),
-    ],
-)
-def test_impossible_gears_stop_with_quantity_value_and_limit(smoke_run, tmp_path, change, words):
+def test_a_jam_stops_with_quantity_value_and_limit(smoke_run, tmp_path):
     bad = tmp_path / "bad.yaml"
-    bad.write_text(change)
-    run = smoke_run.snakemake(
-        "-j2", "results/with/backlash/q000.nc", "--directory", str(tmp_path), "--configfile", str(bad)
-    )
+    bad.write_text("backlash: {half_backlash: 1.0e-6}")
+    target = "results/with/backlash/q000.nc"
+    run = smoke_run.snakemake("-j2", target, "--directory", str(tmp_path), "--configfile", str(bad))
     assert run.returncode != 0
-    for word in words:
+    for word in ("jam", "half backlash", "um"):
         assert word in run.stdout
     assert not list(tmp_path.rglob("*.tmp"))
 
