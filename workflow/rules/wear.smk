@@ -105,15 +105,15 @@ rule unworn:
         "../scripts/stage.py"
 
 
-def input_of(name, cycle="{q}"):
+def input_of(name, cycle="{q}", root="{root}"):
     """The file, or the function that gives it, of an input of a stage of the cycle."""
     fixed = {
-        "geometry": "results/{root}geometry.nc",
-        "deformation": "results/{root}{case}/deformation.nc",
+        "geometry": f"results/{root}geometry.nc",
+        "deformation": f"results/{root}{{case}}/deformation.nc",
         "reference_stiffness": reference("mesh_stiffness"),
         "reference_error": reference("transmission_error"),
     }
-    return fixed.get(name, f"results/{{root}}{{case}}/{name}/q{cycle}.nc")
+    return fixed.get(name, f"results/{root}{{case}}/{name}/q{cycle}.nc")
 
 
 def earlier(name):
@@ -167,7 +167,7 @@ for (first, end), worn in BLOCKS.items():
             f"wear_block_{first:03d}_{end:03d}"
         input:
             **{
-                one: input_of(one, f"{first - 1:03d}")
+                one: input_of(one, f"{first - 1:03d}", root="")
                 for one in dict.fromkeys(
                     name for link in CYCLE for name in arguments_of(link)
                 )
