@@ -434,8 +434,8 @@ def test_load_of_a_pair_is_its_share_of_every_period_and_nothing_where_the_mesh_
     assert flanks.dynamic_load(geometry, *made, response).values == pytest.approx([0.375, 0.25, 1.0])
 
 
-def test_the_spectrum_is_summed_over_cells_whose_edges_meet(states, loaded):
-    geometry = loaded(states("without"), "geometry")
+def test_the_spectrum_is_summed_over_cells_whose_edges_meet(states):
+    geometry = states("without")["geometry"]
     nodes, phase, weight = mesh_force.cells(geometry)
     assert geometry["path_phase"].values[nodes] == pytest.approx(phase, abs=1e-12)
     assert weight.sum() == pytest.approx(1)

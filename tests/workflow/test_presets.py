@@ -58,7 +58,7 @@ def planned(project, folder, name):
 
 def test_every_preset_is_named_here_and_in_the_documentation():
     assert sorted(OTHER_PAIRS + OSCILLATORS + PAPER) == PRESETS
-    text = (ROOT / "docs" / "presets.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "how-to" / "presets.md").read_text(encoding="utf-8")
     assert re.findall(r"^\| `([a-z0-9-]+)` \|", text, flags=re.MULTILINE) == [
         "paper",
         "fzg-c",

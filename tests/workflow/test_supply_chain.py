@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = sorted([*(ROOT / "src").rglob("*.py"), *(ROOT / "workflow").rglob("*.py")])
-RULES = [*ROOT.glob("**/Snakefile"), *sorted((ROOT / "workflow").rglob("*.smk"))]
+RULES = [ROOT / "Snakefile", ROOT / "workflow" / "Snakefile", *sorted((ROOT / "workflow").rglob("*.smk"))]
 LOCKS = ("requirements.lock", "docs/requirements.lock", "profiles/slurm/requirements.lock", "examples/requirements.txt")
 LOADS_CODE = {"pickle", "marshal", "shelve", "dill", "cloudpickle", "joblib", "runpy", "code", "ctypes", "cffi"}
 STARTS_PROGRAMS = {"subprocess", "pty", "popen2"}
