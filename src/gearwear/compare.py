@@ -126,7 +126,7 @@ def compare(a: str | Path, b: str | Path, tolerance: float = 0.0) -> Comparison:
     if not 0 <= tolerance < 1:
         raise BadFile(f"tolerance: {tolerance:g} must be at least 0 and below 1; it is relative")
     a, b = results_folder(a), results_folder(b)
-    found, configs = Comparison(), list[tuple[str, dict, dict]]()
+    found, configs = Comparison(), list[tuple[str, dict[Any, Any], dict[Any, Any]]]()
     if a.is_dir() != b.is_dir():
         raise BadFile(f"{a} and {b}: one is a folder, the other a file; give two folders or two files")
     if not a.is_dir():
@@ -348,7 +348,7 @@ def _short(value: Any) -> str:
     return repr(text if len(text) <= 60 else f"{text[:57]}...")
 
 
-def _differing(configs: Sequence[tuple[str, dict, dict]]) -> list[Setting]:
+def _differing(configs: Sequence[tuple[str, dict[str, Any], dict[str, Any]]]) -> list[Setting]:
     """Return the settings that differ; one that only one of two files has must be in no file of the other side."""
     everywhere = [{key for config in configs for key in config[side]} for side in (1, 2)]
     found: dict[tuple[str, str], Setting] = {}

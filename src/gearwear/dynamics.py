@@ -91,7 +91,7 @@ class Oscillator:
         displacement: float = 0.0,
         velocity: float = 0.0,
         tolerance: float = 1e-10,
-    ):
+    ) -> None:
         one_of("start", start, STARTS)
         self.excitation = excitation
         self._dynamics: dict[str, Any] = {
@@ -171,17 +171,17 @@ class Oscillator:
     @classmethod
     def from_arrays(
         cls,
-        stiffness,
-        error,
+        stiffness: Any,
+        error: Any,
         force: float,
         *,
         damping_ratio: float,
-        clearance=None,
+        clearance: Any = None,
         half_backlash: float | None = None,
         mass: float | None = None,
-        width=None,
+        width: Any = None,
         harmonics: int | str = 1,
-        double_contact=None,
+        double_contact: Any = None,
         **options: Any,
     ) -> Oscillator:
         """Return an oscillator from arrays over one mesh period, in any coherent units.
@@ -296,10 +296,10 @@ class Oscillator:
 
     def sweep(
         self,
-        mesh_frequency,
+        mesh_frequency: Any,
         *,
-        ste=None,
-        backlash=None,
+        ste: Any = None,
+        backlash: Any = None,
         order: str = "restart",
         reading: str = "rescale",
         **settling: Any,
@@ -394,10 +394,10 @@ class Oscillator:
 
     def basins(
         self,
-        mesh_frequency,
+        mesh_frequency: Any,
         *,
-        ste=None,
-        backlash=None,
+        ste: Any = None,
+        backlash: Any = None,
         reading: str = "rescale",
         displacement: tuple[float, float] = (-2.0, 3.0),
         velocity: tuple[float, float] = (-2.0, 3.0),
@@ -438,7 +438,7 @@ class Oscillator:
         return described(basins_along(swept, values, grid[0], grid[1], _settling(settling))).set_coords(swept.quantity)
 
     def portraits(
-        self, mesh_frequency, *, ste=None, backlash=None, reading: str = "rescale", **settling: Any
+        self, mesh_frequency: Any, *, ste: Any = None, backlash: Any = None, reading: str = "rescale", **settling: Any
     ) -> xr.Dataset:
         """Return the settled motions over one period, from the start of the oscillator.
 
@@ -466,7 +466,7 @@ class Oscillator:
     def _swept(self, quantity: str, settings: dict[str, Any] | None = None) -> SweptOscillator:
         return SweptOscillator(self.excitation, quantity, self._dynamics, settings or {})
 
-    def _sweep(self, mesh_frequency, ste, backlash, reading: str) -> tuple[SweptOscillator, np.ndarray]:
+    def _sweep(self, mesh_frequency: Any, ste: Any, backlash: Any, reading: str) -> tuple[SweptOscillator, np.ndarray]:
         """Return the swept oscillator and the values of the swept quantity."""
         one_of("reading", reading, READINGS)
         others = {name: values for name, values in (("ste", ste), ("backlash", backlash)) if values is not None}

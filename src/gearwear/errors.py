@@ -22,6 +22,6 @@ class ConfigError(GearwearError):
     problems : folder of the member of a study ("" for the study itself), path of the key and text of each problem.
     """
 
-    def __init__(self, message: str, problems: list[tuple[str, tuple[tuple, str]]] | None = None):
+    def __init__(self, message: str, problems: list[tuple[str, tuple[tuple[object, ...], str]]] | None = None):
         super().__init__(message)
         self.problems = problems or []

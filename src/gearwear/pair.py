@@ -213,7 +213,7 @@ class GearPair:
         heat_in_load_sharing: bool = False,
         initial_temperature: float = 20.0,
         mesh_cells: int = 240,
-    ):
+    ) -> None:
         given = {name: value for name, value in locals().items() if name != "self"}
         self._cfg = _sections(given)
         self._initial_temperature = float(initial_temperature)
@@ -224,7 +224,12 @@ class GearPair:
         return f"<GearPair {z[0]:g}/{z[1]:g}, module {1e3 * radii['module']:g} mm>"
 
     def mesh_stiffness(
-        self, torque: float | None = None, *, bulk_temperature: float = 20.0, wear=None, growth=None
+        self,
+        torque: float | None = None,
+        *,
+        bulk_temperature: float = 20.0,
+        wear: xr.Dataset | np.ndarray | None = None,
+        growth: xr.Dataset | np.ndarray | None = None,
     ) -> xr.Dataset:
         """Return the stiffness of the mesh and of one tooth pair.
 
@@ -260,7 +265,12 @@ class GearPair:
         return described(mesh_stages.mesh_stiffness(cfg, self.geometry, *flanks))
 
     def transmission_error(
-        self, torque: float, *, bulk_temperature: float = 20.0, wear=None, growth=None
+        self,
+        torque: float,
+        *,
+        bulk_temperature: float = 20.0,
+        wear: xr.Dataset | np.ndarray | None = None,
+        growth: xr.Dataset | np.ndarray | None = None,
     ) -> xr.Dataset:
         """Return the static transmission error and the load sharing of the worn, hot pair.
 
@@ -287,7 +297,14 @@ class GearPair:
         """
         return described(self._state(torque, bulk_temperature, wear, growth)["transmission_error"])
 
-    def load_sharing(self, torque: float, *, bulk_temperature: float = 20.0, wear=None, growth=None) -> xr.Dataset:
+    def load_sharing(
+        self,
+        torque: float,
+        *,
+        bulk_temperature: float = 20.0,
+        wear: xr.Dataset | np.ndarray | None = None,
+        growth: xr.Dataset | np.ndarray | None = None,
+    ) -> xr.Dataset:
         """Return how the tooth pairs share the mesh force.
 
         Parameters
@@ -310,7 +327,14 @@ class GearPair:
         shared = self.transmission_error(torque, bulk_temperature=bulk_temperature, wear=wear, growth=growth)
         return shared[["load_sharing_factor", "load_share_path", "elastic_deflection"]]
 
-    def backlash(self, torque: float, *, bulk_temperature: float = 20.0, wear=None, growth=None) -> xr.Dataset:
+    def backlash(
+        self,
+        torque: float,
+        *,
+        bulk_temperature: float = 20.0,
+        wear: xr.Dataset | np.ndarray | None = None,
+        growth: xr.Dataset | np.ndarray | None = None,
+    ) -> xr.Dataset:
         """Return the half backlash of the worn, hot, loaded pair.
 
         Parameters
@@ -464,8 +488,8 @@ class GearPair:
         cycles: float,
         *,
         bulk_temperature: float = 20.0,
-        wear=None,
-        growth=None,
+        wear: xr.Dataset | np.ndarray | None = None,
+        growth: xr.Dataset | np.ndarray | None = None,
         cycles_per_update: float = 1e8,
         law: str = "janakiraman",
         coefficient: float = 1e-20,
@@ -560,8 +584,8 @@ class GearPair:
         torque: float,
         *,
         bulk_temperature: float = 20.0,
-        wear=None,
-        growth=None,
+        wear: xr.Dataset | np.ndarray | None = None,
+        growth: xr.Dataset | np.ndarray | None = None,
         damping_ratio: float = 0.072,
         stiffness: str = "nominal",
         harmonics: int | str = 1,
@@ -614,7 +638,13 @@ class GearPair:
             excitation(self.geometry, state, reference, float(torque), settings), damping_ratio, **options
         )
 
-    def _state(self, torque: float, bulk_temperature: float, wear, growth) -> dict[str, xr.Dataset]:
+    def _state(
+        self,
+        torque: float,
+        bulk_temperature: float,
+        wear: xr.Dataset | np.ndarray | None,
+        growth: xr.Dataset | np.ndarray | None,
+    ) -> dict[str, xr.Dataset]:
         """Return mesh stiffness, transmission error and backlash, by these names."""
         cfg = self._at(bulk_temperature) | self._under(torque)
         return mesh_stages.mesh_excitation(cfg, self.geometry, *self._flanks(bulk_temperature, wear, growth))
@@ -624,13 +654,15 @@ class GearPair:
         state = self._state(torque, _COLD, None, None)
         return {"reference_stiffness": state["mesh_stiffness"], "reference_error": state["transmission_error"]}
 
-    def _flanks(self, bulk_temperature: float, wear, growth) -> tuple[xr.Dataset, xr.Dataset]:
+    def _flanks(
+        self, bulk_temperature: float, wear: xr.Dataset | np.ndarray | None, growth: xr.Dataset | np.ndarray | None
+    ) -> tuple[xr.Dataset, xr.Dataset]:
         """Return the datasets of growth and wear that the stages take."""
         grown = self.thermal_growth(bulk_temperature) if growth is None else growth
         worn = wear_stage.unworn(self.geometry) if wear is None else wear
         return self._on_flanks("growth", grown, "thermal_growth"), self._on_flanks("wear", worn, "wear_depth")
 
-    def _on_flanks(self, argument: str, given, variable: str) -> xr.Dataset:
+    def _on_flanks(self, argument: str, given: Any, variable: str) -> xr.Dataset:
         known = isinstance(given, xr.Dataset) and variable in given
         if isinstance(given, xr.Dataset) and not known:
             raise GearwearError(f"{argument}: the dataset has no {variable}")

@@ -101,7 +101,9 @@ def chosen_of(config: dict[str, Any], claims: Sequence[Mapping[str, Any]], sweep
     return points(claims, sweep, grid_of(config, sweep))
 
 
-def _judged(config, vectors, claims, values) -> list[tuple[np.ndarray, np.ndarray, float, str]]:
+def _judged(
+    config: dict[str, Any], vectors: Any, claims: Any, values: Any
+) -> list[tuple[np.ndarray, np.ndarray, float, str]]:
     """Return values, agreements, merit and remark of every candidate."""
     own, several, remarks = [], [], {}
     for place, vector in enumerate(vectors):

@@ -71,7 +71,7 @@ def _best(everyone: xr.Dataset, low: np.ndarray, high: np.ndarray, count: int) -
     return chosen
 
 
-def _in_full(config: dict[str, Any], claims: Sequence[Mapping[str, Any]]):
+def _in_full(config: dict[str, Any], claims: Sequence[Mapping[str, Any]]) -> Any:
     """Return agreements, merits and parameters of the oscillator of case `with`."""
     pair = pair_of(config)
     values = {(case, sweep): grid_of(config, sweep) for case, sweep in SWEPT}

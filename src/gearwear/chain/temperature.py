@@ -36,7 +36,9 @@ def temperature(cfg: dict[str, Any], geometry: xr.Dataset) -> xr.Dataset:
     )
     pristine = Flanks(*np.zeros((2, 2, geometry.sizes["path"])))
 
-    def heat(friction_factor=1.0, speed_factor=1.0, load_factor=1.0):
+    def heat(
+        friction_factor: float = 1.0, speed_factor: float = 1.0, load_factor: float = 1.0
+    ) -> tuple[np.ndarray, Any]:
         force = load_factor * mesh_force(geometry, cfg["operation"]["pinion_torque"])
         pairs = pair_stiffness(geometry, modulus, poisson, pristine, cfg["mesh_stiffness"], force)
         springs = Springs(pairs.pair_stiffness, pairs.coupling, geometry["partner"].values)

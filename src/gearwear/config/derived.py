@@ -26,7 +26,7 @@ class Rule(NamedTuple):
 
 
 def _bore_radius(gear: str) -> Callable[[dict[str, Any]], float]:
-    def value(config):
+    def value(config: dict[str, Any]) -> float:
         pair = config["gear_pair"]
         depth = pair["addendum_coefficient"][gear] + pair["clearance_coefficient"] - pair["profile_shift"][gear]
         return _BODY_SHARE * pair["module"] * (pair["teeth"][gear] / 2 - depth)

@@ -50,7 +50,7 @@ def command_line_layer(values: Mapping[str, Any]) -> Layer:
     """Return what `--config` sets: nested dicts, the values as text."""
     layer = Layer(COMMAND_LINE, {}, {})
 
-    def read(section, path):
+    def read(section: Any, path: Any) -> Any:
         for name, value in section.items():
             layer.set_to_null[(*path, name)] = value is None or value in _NULLS
             if isinstance(value, Mapping):

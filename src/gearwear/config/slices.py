@@ -154,7 +154,7 @@ _PASSED_OVER = {
 }
 
 
-def slice_of(config: dict, stage: str, case: str = "", sweep: str = "") -> dict[str, Any]:
+def slice_of(config: dict[str, Any], stage: str, case: str = "", sweep: str = "") -> dict[str, Any]:
     """Return the settings `stage` may see, as one nested dict of builtin values with sorted keys.
 
     Raises

@@ -87,7 +87,9 @@ def _words(annotation: Any) -> tuple[Any, ...]:
     return tuple(word for part in get_args(annotation) for word in _words(part))
 
 
-def _variation(config, group: str, key: str, value: Any, companions: dict[str, Any], name: str) -> Variation:
+def _variation(
+    config: dict[str, Any], group: str, key: str, value: Any, companions: dict[str, Any], name: str
+) -> Variation:
     needed = {other: word for other, word in companions.items() if value_at(config, other) != word}
     taken = ", ".join(f"{other} {_shown(word)}" for other, word in needed.items())
     member = re.sub(r"[^a-z0-9]+", "_", name.lower())

@@ -27,7 +27,7 @@ _DARKER = 0.55  # of the colour of its basin, the ink of a chaotic section
 _SIZES, _HALO = (0.8, 3.4), 1.6  # of the dots of a section, and what their white rims add
 
 
-def height(basins: xr.Dataset, **_) -> float:
+def height(basins: xr.Dataset, **_: Any) -> float:
     """Return the height, mm, of a sheet with these basins."""
     rows = -(-max(basins.sizes["point"], 1) // _MOST_COLUMNS)
     return _TOP + _BOTTOM + rows * (_TITLE + _PANEL + _below(basins))

@@ -40,7 +40,7 @@ class Diagram(NamedTuple):
     state: dict[str, Any]
 
 
-def _height(cfg: dict[str, Any], **_) -> float:
+def _height(cfg: dict[str, Any], **_: Any) -> float:
     count = len(cfg["states"])
     return _TOP + _BOTTOM + count * _DIAGRAM + (count - 1) * _BETWEEN
 

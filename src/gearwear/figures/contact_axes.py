@@ -17,7 +17,7 @@ PERIODS = 2
 _SHADE, _MARK = "#EBEBEB", "#555555"
 
 
-def draw_along_path(axes: Axes, field: xr.DataArray, scale: float, **line) -> None:
+def draw_along_path(axes: Axes, field: xr.DataArray, scale: float, **line: Any) -> None:
     """Draw a field over its `path` (m), in units of 1/`scale`; the line is open where the path has a node twice."""
     path = field["path"].values
     jumps = np.flatnonzero(np.diff(path) == 0) + 1
@@ -54,7 +54,7 @@ def name_flanks(axes: Axes, geometry: xr.Dataset, member: str) -> None:
         axes.annotate(part, ((low + high) / 2, 1), (0, 2), color=_MARK, **offset)
 
 
-def draw_over_phase(axes: Axes, geometry: xr.Dataset, values: np.ndarray, **line) -> None:
+def draw_over_phase(axes: Axes, geometry: xr.Dataset, values: np.ndarray, **line: Any) -> None:
     """Draw values of one mesh period (mesh_phase,) over `PERIODS` periods."""
     double = geometry["leaving"].values >= 0
     phase = geometry["mesh_phase"].values

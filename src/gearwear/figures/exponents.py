@@ -33,7 +33,7 @@ def norm(values: np.ndarray) -> TwoSlopeNorm:
     return TwoSlopeNorm(0.0, lowest, max(known.max(), _LEAST_SPAN))
 
 
-def _height(sweeps: Sequence[xr.Dataset], **_) -> float:
+def _height(sweeps: Sequence[xr.Dataset], **_: Any) -> float:
     return 22.0 + 58.0 * -(-len(sweeps) // 2)
 
 

@@ -41,7 +41,7 @@ class Force(NamedTuple):
     motion: str
 
 
-def _height(response: Sequence[xr.Dataset], **_) -> float:
+def _height(response: Sequence[xr.Dataset], **_: Any) -> float:
     return 30.0 + 24.0 * len(response)
 
 

@@ -19,7 +19,7 @@ _ROW, _MARGIN = 42.0, 18.0  # mm
 _ORBIT, _SECTION = "#56789A", "#D55E00"
 
 
-def height(portraits: xr.Dataset, **_) -> float:
+def height(portraits: xr.Dataset, **_: Any) -> float:
     """Return the height, mm, of a sheet with these portraits."""
     return _MARGIN + _ROW * max(_rows(portraits.sizes["point"]), 1)
 

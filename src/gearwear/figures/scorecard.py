@@ -80,7 +80,7 @@ def _strips(claim: Mapping[str, Any], sweeps: Mapping[tuple[str, str], xr.Datase
     return strips
 
 
-def _strip(label: str, runs, left: float, right: float) -> dict[str, Any]:
+def _strip(label: str, runs: Any, left: float, right: float) -> dict[str, Any]:
     """Return the zones of one row in per cent of its width."""
     zones = []
     for low, high, name in runs:

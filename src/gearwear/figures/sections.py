@@ -30,7 +30,7 @@ _BELOW = 1.5  # the dots of the sweep shown first lie on top
 Sweeps = Mapping[str, xr.Dataset]  # of one quantity, by direction
 
 
-def draw(axes: Axes, values: np.ndarray, dataset: xr.Dataset, sizes: tuple[float, float], **style) -> None:
+def draw(axes: Axes, values: np.ndarray, dataset: xr.Dataset, sizes: tuple[float, float], **style: Any) -> None:
     """Draw the section displacements of a sweep.
 
     Parameters

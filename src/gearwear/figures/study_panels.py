@@ -131,7 +131,7 @@ def _ordinate(axes: Axes, upright: str, ticks: list[str] | None, cfg: dict[str, 
         axes.set_ylabel(_LABELS[AGE] if upright.endswith(AGE) else wording.axis(upright, cfg["units"].get(upright, "")))
 
 
-def _limits(axes: Axes, facets, upright: str, positions: np.ndarray, cfg: dict[str, Any]) -> None:
+def _limits(axes: Axes, facets: Any, upright: str, positions: np.ndarray, cfg: dict[str, Any]) -> None:
     """Draw up to which speed the motion has period 1, and up to which contact is kept (dashed), over the age."""
     shades = colormaps[_SHADES](np.linspace(0.0, 0.85, len(facets)))
     for place, (where, one) in enumerate(facets):

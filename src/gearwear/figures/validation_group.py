@@ -42,7 +42,7 @@ def height(outcomes: Sequence[Outcome]) -> float:
     return _TOP + _ROW * len(outcomes) + _BOTTOM + lines * (_TOP + _PANEL + _BOTTOM)
 
 
-def _height(checks: Path, found: Path, **_) -> float:
+def _height(checks: Path, found: Path, **_: Any) -> float:
     return height(_outcomes(checks, found))
 
 

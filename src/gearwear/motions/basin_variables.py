@@ -43,7 +43,7 @@ def basins_along(
     )
 
 
-def basin_columns(found: list[Basins], shape: tuple[int, int], samples: int, force_parameter: float) -> dict:
+def basin_columns(found: list[Basins], shape: tuple[int, int], samples: int, force_parameter: float) -> dict[str, Any]:
     """Return the variables of basins at swept points, each as (dimensions, array).
 
     Attractors are padded to the largest number at any point: shares and evidence with NaN, whole numbers with 0.
@@ -59,7 +59,7 @@ def basin_columns(found: list[Basins], shape: tuple[int, int], samples: int, for
     places = (np.repeat(np.arange(len(found)), counts), np.concatenate([np.arange(count) for count in counts]))
     size = len(found), max(counts)
 
-    def padded(values):
+    def padded(values: Any) -> Any:
         missing = np.nan if values.dtype.kind == "f" else 0
         table = np.full((*size, *values.shape[1:]), missing, dtype=values.dtype)
         table[places] = values

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -118,7 +118,9 @@ def classify(
     )
 
 
-def _orbit_near(oscillator, states, first_period, candidates, tolerance, backend) -> tuple[Orbit | None, float, bool]:
+def _orbit_near(
+    oscillator: Any, states: np.ndarray, first_period: int, candidates: Any, tolerance: float, backend: str
+) -> tuple[Orbit | None, float, bool]:
     """Return an orbit the end of the section is near, its distance, and whether it is stable, if possible a stable one.
 
     Every candidate is a number of forcing periods; the seed is the last state at a whole number of them from period 0,

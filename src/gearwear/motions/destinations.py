@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -66,7 +66,7 @@ def share_escaping(oscillator: Oscillator, states: np.ndarray, settling: Settlin
     return float((recurrences(section, settling.largest_period, settling.recurrence_tolerance)[0] > 0).mean())
 
 
-def _destinations_of(oscillator, states, settling, tolerance) -> Destinations:
+def _destinations_of(oscillator: Any, states: np.ndarray, settling: Any, tolerance: float) -> Destinations:
     count, samples, longest = len(states), settling.sampled_periods, settling.largest_period
     now = vector(states, "state", oscillator.size, (count,))
     bounds = np.full((2, *now.shape), np.nan)
@@ -104,13 +104,13 @@ def _destinations_of(oscillator, states, settling, tolerance) -> Destinations:
     return found
 
 
-def _note(found: Destinations, places, codes, section) -> None:
+def _note(found: Destinations, places: Any, codes: Any, section: Any) -> None:
     found.motion_class[places] = codes
     found.sections[places] = section[:, -found.sections.shape[1] :]
     found.low[places], found.high[places] = section[:, 1:].min(axis=1), section[:, 1:].max(axis=1)
 
 
-def _endless(oscillator, run, first_period, settling) -> np.ndarray:
+def _endless(oscillator: Any, run: Any, first_period: int, settling: Any) -> np.ndarray:
     """Return CHAOTIC, QUASI_PERIODIC or NOT_CONVERGED for motions whose section has not recurred so far."""
     exponent, error = means_and_errors(run.growth[:, run.growth.shape[1] // BATCHES :] / oscillator.period)
     end = run.states[:, -2 * settling.largest_period - 1 :]

@@ -1,6 +1,6 @@
 """Properties of a Poincare section: its period, whether it is a closed curve, and averages with their errors."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -56,7 +56,7 @@ def shrinking_periods(states: np.ndarray, largest_period: int, near: float) -> l
 
 
 @njit
-def _largest_change(states, n, begin, end):
+def _largest_change(states: np.ndarray, n: int, begin: int, end: int) -> Any:
     """Largest change over n periods from the states begin to end - 1, NaN if one of them is NaN."""
     largest = 0.0
     for i in range(begin, end):
@@ -70,14 +70,14 @@ def _largest_change(states, n, begin, end):
 
 
 @njit
-def _changes(states, n):
+def _changes(states: np.ndarray, n: int) -> Any:
     """Largest change over n periods in the first and in the second half of a section."""
     count = states.shape[0] - n
     return _largest_change(states, n, 0, count // 2), _largest_change(states, n, count // 2, count)
 
 
 @njit
-def _all_changes(states, largest_period):
+def _all_changes(states: np.ndarray, largest_period: int) -> Any:
     """The same for every n, two arrays; the place n = 0 is not used."""
     first, second = np.zeros(largest_period + 1), np.zeros(largest_period + 1)
     for n in range(1, largest_period + 1):
@@ -86,7 +86,7 @@ def _all_changes(states, largest_period):
 
 
 @njit
-def _recurrences(states, largest_period, tolerance):
+def _recurrences(states: np.ndarray, largest_period: int, tolerance: float) -> Any:
     """Arguments and results as of recurrences."""
     periods, distances = np.zeros(states.shape[0], np.int64), np.empty(states.shape[0])
     first, second = np.zeros(largest_period + 1), np.zeros(largest_period + 1)

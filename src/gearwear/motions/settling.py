@@ -1,5 +1,6 @@
 """The motions that oscillators settle to."""
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -70,14 +71,16 @@ class Attractor(NamedTuple):
     end: np.ndarray
 
 
-def settle(oscillator: Oscillator, state, settling: Settling, tolerance: float = 1e-10) -> Attractor:
+def settle(
+    oscillator: Oscillator, state: Sequence[float] | np.ndarray, settling: Settling, tolerance: float = 1e-10
+) -> Attractor:
     """Return the motion one oscillator settles to from a state, as settle_many with all its detail does."""
     return settle_many([oscillator], state, settling, tolerance)[0]
 
 
 def settle_many(
     oscillators: list[Oscillator],
-    states,
+    states: Sequence[Any] | np.ndarray,
     settling: Settling,
     tolerance: float = 1e-10,
     detail: int = RECORDS,
@@ -225,7 +228,7 @@ def _determinant_error(oscillator: Oscillator, maps: np.ndarray) -> float:
     return float(np.abs(determinants / oscillator.contraction - 1).max())
 
 
-def _lost(points, status, transient: int, samples: int, size: int) -> dict[int, Attractor]:
+def _lost(points: Any, status: Any, transient: int, samples: int, size: int) -> dict[int, Attractor]:
     """Return the points whose motion was not completed, and what is known of them."""
     unknown: dict[str, Any] = dict.fromkeys(Attractor._fields, np.nan)
     unknown.update(dict.fromkeys(("conflict", "period", "recurrence_period", "stable_orbit_period"), 0))

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from gearwear.integrate.strobe import visited
 from gearwear.oscillator.excitation import Excitation
 from gearwear.oscillator.oscillator import Oscillator
 
 
-def rest_state(source: Excitation, oscillator: Oscillator, settings: dict) -> tuple[float, ...]:
+def rest_state(source: Excitation, oscillator: Oscillator, settings: dict[str, Any]) -> tuple[float, ...]:
     """Return the state at mesh phase 0 after the start that the configuration gives; bearings start without load.
 
     `settings["start"]["at"]`: `pair_entry`, the state given is that at mesh phase 0; `stiffest_mesh`, it is given where

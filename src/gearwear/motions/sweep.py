@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -39,7 +40,7 @@ def sweep(swept: SweptOscillator, values: np.ndarray, settling: Settling, direct
         motions = settle_from_rest(swept.source, oscillators, swept.dynamics, settling)
     else:
 
-        def rest(oscillator):
+        def rest(oscillator: Any) -> Any:
             return rest_state(swept.source, oscillator, swept.dynamics)
 
         motions = settle_by_continuation(oscillators, rest, settling, swept.dynamics["tolerance"], direction)
@@ -50,7 +51,7 @@ def sweep(swept: SweptOscillator, values: np.ndarray, settling: Settling, direct
 def settle_from_rest(
     source: Excitation,
     oscillators: Sequence[Oscillator],
-    dynamics: dict,
+    dynamics: dict[str, Any],
     settling: Settling,
     *,
     tolerance: float | None = None,

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 import xarray as xr
 
@@ -71,7 +74,14 @@ def steady_motions(swept: SweptOscillator, sweep: xr.Dataset) -> xr.Dataset:
     return _dataset(known, ("displacement", "velocity", "force"), orbits, swept.quantity, values)
 
 
-def _trace(orbits: np.ndarray, oscillator: Oscillator, state, periods: int, first_period: int, tolerance: float):
+def _trace(
+    orbits: np.ndarray,
+    oscillator: Oscillator,
+    state: Sequence[float] | np.ndarray,
+    periods: int,
+    first_period: int,
+    tolerance: float,
+) -> Any:
     """Write displacement, velocity and, in a third row, the mesh force of a motion over some mesh periods.
 
     Nothing is written for a state that is not finite.
@@ -88,7 +98,9 @@ def _unknown(kinds: int, points: int, longest: int) -> np.ndarray:
     return np.full((kinds, points, longest * STEPS + 1), np.nan)
 
 
-def _dataset(table: dict, kinds: tuple[str, ...], orbits: np.ndarray, quantity: str, values) -> xr.Dataset:
+def _dataset(
+    table: dict[str, Any], kinds: tuple[str, ...], orbits: np.ndarray, quantity: str, values: Any
+) -> xr.Dataset:
     table |= {f"orbit_{kind}": (("point", "time"), orbit) for kind, orbit in zip(kinds, orbits, strict=True)}
     time = np.arange(orbits.shape[-1]) / STEPS
     return xr.Dataset(table, {quantity: ("point", np.asarray(values, dtype=float)), "orbit_period": ("time", time)})

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from gearwear.codes.onset_codes import EVENTS
 from gearwear.onsets.doublings import Onset
 
 
-def columns(ways: Sequence[Sequence[Onset]]) -> dict:
+def columns(ways: Sequence[Sequence[Onset]]) -> dict[str, Any]:
     """Return the variables of the events, each as (dimensions, array), for one or several ways to compute them.
 
     Parameters
@@ -19,7 +20,7 @@ def columns(ways: Sequence[Sequence[Onset]]) -> dict:
     """
     dims = ("event",) if len(ways) == 1 else ("variant", "event")
 
-    def of(name, kind):
+    def of(name: str, kind: Any) -> Any:
         table = np.array([[getattr(event, name) for event in events] for events in ways], dtype=kind)
         return dims, table[0] if len(ways) == 1 else table
 

@@ -81,7 +81,7 @@ def along(state: State, sweep: xr.Dataset, order: str, refinement: int) -> list[
     sweep = sweep.sortby(SWEEP)
     ends = np.stack([sweep[f"section_{name}"].values[:, -1] for name in ("displacement", "velocity")], axis=1)
 
-    def classify(values, below, above):
+    def classify(values: Any, below: int, above: int) -> Any:
         if order == RESTART:
             return classes_from_rest(state, values)
         begin = tuple(ends[above if order == DOWN else below].tolist())
@@ -127,7 +127,7 @@ def varied(state: State, sweep: xr.Dataset, events: list[Onset], refinement: int
 def _swept(
     state: State, values: np.ndarray, refinement: int, tolerance: float | None = None, backend: str = AUTOMATIC
 ) -> list[Onset]:
-    def classify(chosen, below=0, above=0):
+    def classify(chosen: Any, below: int = 0, above: int = 0) -> Any:
         return classes_from_rest(state, chosen, tolerance, backend)
 
     events = _events(state, values, classify(values), classify, refinement)
@@ -138,7 +138,7 @@ def _swept(
     return [_relocated(event, known.get(event.seen), maps) for event in events]
 
 
-def _relocated(event: Onset, doubling: Doubling | None, maps) -> Onset:
+def _relocated(event: Onset, doubling: Doubling | None, maps: Any) -> Onset:
     """Return an event that is a doubling with the place where these maps have it; others as they are."""
     if doubling is None:
         return event

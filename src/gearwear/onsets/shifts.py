@@ -112,5 +112,5 @@ def _farthest(ways: np.ndarray, place: np.ndarray) -> np.ndarray:
     return np.where(np.isfinite(distance).any(axis=0), np.nan_to_num(distance).max(axis=0), np.nan)
 
 
-def _stack(datasets, name: str, kind) -> np.ndarray:
+def _stack(datasets: Any, name: str, kind: Any) -> np.ndarray:
     return np.array([dataset[name].values for dataset in datasets], dtype=kind).reshape(len(datasets), len(EVENTS))

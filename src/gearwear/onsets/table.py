@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 
@@ -50,7 +52,7 @@ def _ways_without(table: xr.Dataset, event: int) -> list[str]:
     return [str(name) for name, lacks in zip(table["variant"].values, missing, strict=True) if lacks]
 
 
-def _lacking(table: xr.Dataset, event: int):
+def _lacking(table: xr.Dataset, event: int) -> Any:
     for position in np.flatnonzero(np.isnan(table["member_shift"].values[:, event])):
         member = table["member"].values[position]
         for case in CASES:

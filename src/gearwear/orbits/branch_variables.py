@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
 from gearwear.orbits.branches import Branch
 
 
-def columns(branches: Sequence[Branch], largest_period: int, coordinate: str) -> dict:
+def columns(branches: Sequence[Branch], largest_period: int, coordinate: str) -> dict[str, Any]:
     """Return the variables of branches, each as (dimensions, array).
 
     Parameters
@@ -42,5 +43,5 @@ def columns(branches: Sequence[Branch], largest_period: int, coordinate: str) ->
     return table
 
 
-def _integers(values) -> np.ndarray:
+def _integers(values: Any) -> np.ndarray:
     return np.array([int(value) for value in values], dtype=np.int32)

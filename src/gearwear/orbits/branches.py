@@ -117,7 +117,7 @@ def holds(family: Family, branch: Branch, orbit: Orbit) -> bool:
 class _Forest:
     """Branches found so far."""
 
-    def __init__(self, family: Family, limits: Limits, largest_period: int):
+    def __init__(self, family: Family, limits: Limits, largest_period: int) -> None:
         self.family, self.limits, self.largest_period = family, limits, largest_period
         self.branches: list[Branch] = []
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -148,13 +148,13 @@ def _taken(
     return _Stride(point, slope, new_tangent, [*found, *(Node(one.orbit, NONE) for one in points)], end), ""
 
 
-def _refined(curve: Curve, here: Point, step: float, slope: np.ndarray, tangent: np.ndarray):
+def _refined(curve: Curve, here: Point, step: float, slope: np.ndarray, tangent: np.ndarray) -> Any:
     """Return slope and tangent at a point for a short step from it."""
     finer, _ = curve.slope(here.place, step)
     return (slope, tangent) if finer is None else (finer, curve.tangent(here, finer, tangent))
 
 
-def _at_bound(curve: Curve, here: Point, reached: Point, slope):
+def _at_bound(curve: Curve, here: Point, reached: Point, slope: np.ndarray | None) -> Any:
     """Return the trial at the bound of the range that the step to a point crosses."""
     bound = 0.0 if reached.place[2] < 0.0 else 1.0
     share = (bound - here.place[2]) / (reached.place[2] - here.place[2])
@@ -166,7 +166,9 @@ def _at_bound(curve: Curve, here: Point, reached: Point, slope):
     return trial
 
 
-def _objection(here: Point, reached: Point, step: float, tangent, new_tangent, new: bool) -> str:
+def _objection(
+    here: Point, reached: Point, step: float, tangent: np.ndarray, new_tangent: np.ndarray, new: bool
+) -> str:
     """Return why a step is too long, or nothing."""
     along = tangent @ (reached.place - here.place)
     if np.linalg.norm(reached.place - here.place - along * tangent) > _FARTHEST_FROM_GUESS * step or along > 2 * step:

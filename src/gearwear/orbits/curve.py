@@ -53,7 +53,7 @@ class Curve:
     first, last : range of the parameter.
     """
 
-    def __init__(self, family: Family, period: int, first: float, last: float):
+    def __init__(self, family: Family, period: int, first: float, last: float) -> None:
         self.family, self.period, self.first, self.last = family, period, first, last
 
     def value(self, share: float) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -66,7 +66,7 @@ def multipliers(matrix: np.ndarray) -> np.ndarray:
     return np.array(sorted(values, key=lambda one: (-abs(one), -one.imag)))
 
 
-def periodic_orbit(family: Family, value: float, state, period: int, accuracy: float = ACCURACY) -> Attempt:
+def periodic_orbit(family: Family, value: float, state: Any, period: int, accuracy: float = ACCURACY) -> Attempt:
     """Return the orbit of a period to which damped Newton steps from a state lead.
 
     A step is halved until the residual shrinks. The orbit may have a shorter period: see `minimal_period`.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -14,7 +15,14 @@ from gearwear.orbits.return_map import COARSEST, return_maps
 from gearwear.oscillator.excitation import SweptOscillator
 
 
-def seeds(values, motion_class, transient_periods, displacement, velocity, largest_period: int) -> list[Seed]:
+def seeds(
+    values: Any,
+    motion_class: np.ndarray,
+    transient_periods: np.ndarray,
+    displacement: np.ndarray,
+    velocity: np.ndarray,
+    largest_period: int,
+) -> list[Seed]:
     """Return a seed at every point of a sweep whose motion is periodic, so that no attractor is without its branch.
 
     The state is one at a whole number of periods of the orbit after the start, so that

@@ -122,7 +122,7 @@ def _file(module: str, package: Path) -> Path | None:
 class _Source:
     """The statements of a module, by the names that they define, and what they refer to."""
 
-    def __init__(self, module: str, package: Path):
+    def __init__(self, module: str, package: Path) -> None:
         self.module, self._package = module, package
         self._defined: dict[str, list[ast.stmt]] = {_AT_IMPORT: []}
         self.names: dict[str, Symbol] = {}

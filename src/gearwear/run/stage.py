@@ -12,6 +12,8 @@ from inspect import signature
 from pathlib import Path
 from typing import Any, TextIO
 
+import numpy as np
+
 from gearwear.errors import BadFile, GearwearError
 from gearwear.run import stages, token
 from gearwear.run.digest import digest, source_key
@@ -192,7 +194,6 @@ def write(made: Any, output: Any, origin: Any) -> None:
 
 def _ranges(dataset: Any) -> str:
     """Return the least and the greatest value of every variable of numbers."""
-    import numpy as np
 
     found = []
     for name, values in dataset.data_vars.items():
@@ -201,10 +202,10 @@ def _ranges(dataset: Any) -> str:
     return "; ".join(found)
 
 
-class _Handler(logging.StreamHandler):
+class _Handler(logging.StreamHandler[TextIO]):
     """A log that cannot be written, as on a full disk, speaks on the screen."""
 
-    def handleError(self, record):  # noqa: N802 (the name is that of logging)
+    def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 (the name is that of logging)
         print(self.format(record), file=sys.__stderr__, flush=True)
 
 

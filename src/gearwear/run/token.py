@@ -10,6 +10,7 @@ import hashlib
 import json
 import os
 from pathlib import Path
+from typing import Any
 
 from gearwear.errors import GearwearError
 from gearwear.run.lock import LOCK
@@ -22,7 +23,7 @@ class Outdated(GearwearError):
     """What a job was ordered to do is no longer asked for."""
 
 
-def plan_of(config: dict, folder: Path, sources: str) -> str:
+def plan_of(config: dict[str, Any], folder: Path, sources: str) -> str:
     """Return 16 hexadecimal digits that change with the checked settings, the rules and the sources.
 
     Parameters

@@ -62,7 +62,9 @@ def warnings(
     return {"csv": table, "html": page_of(table, template, "warnings")}
 
 
-def _measured(cfg, geometry, temperature, transmission_error, wear, response) -> Iterator[ranges.Measured]:
+def _measured(
+    cfg: dict[str, Any], geometry: xr.Dataset, temperature: Any, transmission_error: Any, wear: Any, response: Any
+) -> Iterator[ranges.Measured]:
     yield from ranges.of_pair(geometry)
     for case, cycles in cfg["cases"].items():
         yield from ranges.of_contact(case, geometry, next(temperature), cfg)
@@ -106,7 +108,7 @@ def claims_page(statements: Path, scorecard: Path, sweeps: list[xr.Dataset], tem
 
 def motion_page(
     cfg: dict[str, Any],
-    geometry: xr.Dataset | list,
+    geometry: xr.Dataset | list[xr.Dataset],
     sweeps: list[xr.Dataset],
     motions: list[xr.Dataset],
     template: Path,

@@ -44,7 +44,7 @@ def map_tile(
         rows = parameter_map.values(cfg["maps"][map])
         rows = rows[part]
 
-    def row(place, value):
+    def row(place: int, value: Any) -> Any:
         parts = (
             one if isinstance(one, xr.Dataset) else one[place] for one in (mesh_stiffness, transmission_error, backlash)
         )
@@ -76,7 +76,7 @@ def temperature_map_tile(cfg: dict[str, Any], histories: list[xr.Dataset], part:
     frequencies, rows = parameter_map.values(maps["mesh_frequency"]), parameter_map.values(maps["temperature"])
     rows = rows[part]
 
-    def row(history, temperature):
+    def row(history: Any, temperature: Any) -> Any:
         try:
             state, reference = state_at(history, cfg["updates"])
         except Infeasible as error:

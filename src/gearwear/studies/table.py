@@ -96,7 +96,7 @@ def lowest(limits: list[Limit]) -> Limit:
     )
 
 
-def _sentence(life, age, states, possible) -> str:
+def _sentence(life: Any, age: Any, states: list[xr.Dataset], possible: Any) -> str:
     if not possible:
         return f"cannot be: {states[0]['hindrance'].item()}."
     whole = "" if age is None else f" from {life[age].values[0]:.3g} to {life[age].values[-1]:.3g} revolutions"
