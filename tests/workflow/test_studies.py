@@ -45,7 +45,7 @@ def test_two_ages_share_one_chain_and_an_impossible_combination_stops_nobody(stu
 
 
 def planned(project, settings):
-    files = project.summary(*project.smoke(settings), *FILES)
+    files = project.summary(*FILES, *project.smoke(settings))
     return {
         re.sub(r"\w+_[0-9a-f]{12}", "chain", name.removeprefix("results/studies/"))
         for name, anew in files.items()
