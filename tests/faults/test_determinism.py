@@ -111,6 +111,7 @@ def difference(here, there, name) -> tuple[float, str]:
     """Return the largest difference of a variable between two files, over its largest value, and its name.
 
     Growth, and with it every length, is a difference of arcs on the base circles, with the round-off of their radius.
+    The effective stiffness is a force over such a length, the deflection.
     """
     radius = float(xr.load_dataset(here / "results/geometry.nc", decode_times=False)["base_radius"].max())
     one, other = (xr.load_dataset(folder / name, decode_times=False) for folder in (here, there))
@@ -119,6 +120,8 @@ def difference(here, there, name) -> tuple[float, str]:
         a, b = one[variable].values, other[variable].values
         if a.dtype.kind == "f":
             largest = np.nanmax(abs(a), initial=radius if one[variable].attrs.get("units") == "m" else 0.0)
+            if variable == "effective_stiffness":
+                largest *= radius / float(one["elastic_deflection"].max())
             apart.append((np.nanmax(abs(a - b), initial=0.0) / (largest or 1.0), f"{name}: {variable}"))
         else:
             assert np.array_equal(a, b), (name, variable)
