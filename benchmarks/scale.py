@@ -116,7 +116,7 @@ def maps(folder: Path, repeats: int, sides: tuple[int, ...], settings: dict) -> 
     for side in sides:
         place = folder / f"map{side}"
         own = planned(place, side, settings, repeats)
-        for name, end in (("tiles", ("--until", "map_tile")), ("gather", ("--until", "join_map")), ("figure", ())):
+        for name, end in (("tiles", ("--until", "map_tile")), ("gather", ("--until", "map")), ("figure", ())):
             used = cost(place, own, "-j2", *end, "--", FIGURE)
             share = f", {1000 * used.cpu / side**2:.2f} ms a point" if name == "tiles" else ""
             print(f"  {name}: {used.wall:.1f} s, cpu {used.cpu:.1f} s{share}, {used.memory:.0f} MB", flush=True)

@@ -132,12 +132,6 @@ def result_of(path: str | Path) -> str:
     return "/".join(below)
 
 
-def lineage(path: str | Path) -> str:
-    """Return the lineage of a result file."""
-    with _readable(path), netCDF4.Dataset(path) as file:
-        return file.lineage
-
-
 def lineages(inputs: Mapping[str, Any]) -> dict[str, str]:
     """Return the lineages behind every named input, each once: the parts of one whole share theirs.
 
